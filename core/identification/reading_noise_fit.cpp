@@ -67,6 +67,7 @@ using ChannelResiduals = std::vector<LookResiduals>;  // by look
 
 std::array<ChannelResiduals, readingChannels> residualsOf(const LearnedSensor& sensor, const SensorSamples& samples) {
     const int dimensions = sensor.network().form.dimensions;
+    const bool ofSubjects = sensor.network().measures == SensorNetwork::Measures::subjects;
     std::array<ChannelResiduals, readingChannels> channels;
     for (ChannelResiduals& channel : channels) channel.resize(samples.looks.size());
     parallelFor(samples.looks.size(), [&](std::size_t l) {
@@ -81,13 +82,15 @@ std::array<ChannelResiduals, readingChannels> residualsOf(const LearnedSensor& s
             const SensorCase& one = samples.cases[look.first + i];
             const double p = distribution.probability(), a = distribution.threshold;
             const double density = normalDensity(a);
+            // Poses are of no subject: what they have in common is common to all.
+            const std::size_t subject = ofSubjects ? one.subject : l;
             if (p > 0.01 && p < 0.99)
-                channels[0][l].add({one.subject, one.reported - p, {density, -a * density, (a * a - 1) * density}});
+                channels[0][l].add({subject, one.reported - p, {density, -a * density, (a * a - 1) * density}});
             if (!one.reported) continue;
             for (int d = 0; d < dimensions; ++d) {
                 const double below = distribution.probabilityBelow(d, one.error[static_cast<std::size_t>(d)]);
                 if (below < 1e-4 || below > 1 - 1e-4) continue;  // a gross error is that reading's alone
-                channels[1 + static_cast<std::size_t>(d)][l].add({one.subject, normalQuantile(below), {1, 0, 0}});
+                channels[1 + static_cast<std::size_t>(d)][l].add({subject, normalQuantile(below), {1, 0, 0}});
             }
         }
     });

@@ -155,6 +155,8 @@ SensorLateness latenessOf(const SensorInspection& found, const RobotLog& robot,
     return {false, "nothing says what its scans should show"};
 }
 
+}  // namespace
+
 SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name) {
     SensorInspection found = countsOf(log, robot, name);
     const std::vector<KnownReading> readings = knownReadings(log, robot, name);
@@ -169,8 +171,6 @@ SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std:
     findChanges(found, robot, sound);
     return found;
 }
-
-}  // namespace
 
 std::vector<SensorInspection> inspectSensors(const Log& log, const RobotLog& robot) {
     std::vector<SensorInspection> found;

@@ -41,6 +41,8 @@ struct SensorInspection {
     double grossShare() const { return known > 0 ? static_cast<double>(gross) / static_cast<double>(known) : 0; }
 };
 
+/// Of the sensor of that name.
+SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name);
 /// Of each sensor of a robot of the log, in the order of its trajectories.
 std::vector<SensorInspection> inspectSensors(const Log& log, const RobotLog& robot);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "logs/pose_grid.h"
 #include "world/noise.h"
 
 namespace mrose {
@@ -13,10 +14,14 @@ const SensorLog* sensorOf(const Trajectory& trajectory, const std::string& name)
     return found == trajectory.sensors.end() ? nullptr : &*found;
 }
 
-/// Collects the cases of one robot's trajectory.
-class Collector {
+int blockOf(const Trajectory& trajectory, Nanoseconds sinceBegin, const SensorSampleOptions& options) {
+    return trajectory.group + static_cast<int>(toSeconds(sinceBegin) / options.block);
+}
+
+/// Collects the cases of one robot's trajectory: of subjects.
+class SubjectCollector {
 public:
-    Collector(const LoggedView& view, const SensorSampleOptions& options, SensorSamples& samples)
+    SubjectCollector(const LoggedView& view, const SensorSampleOptions& options, SensorSamples& samples)
         : view_(view), options_(options), margin_(options.view.margin()), samples_(samples) {}
 
     void collect(std::size_t log, std::size_t robot, std::size_t trajectory, int name) {
@@ -30,7 +35,7 @@ public:
                 ++samples_.withoutTruth;
                 continue;
             }
-            const int block = static_cast<int>(toSeconds(look.time - begin) / options_.block);
+            const int block = blockOf(from, look.time - begin, options_);
             const auto add = [&](const std::optional<LoggedView::Unknown>& unknown) {
                 samples_.looks.push_back({log, name, look.time, block, samples_.cases.size(), 0, unknown.has_value()});
                 addCases(look, view_.at(robot, trajectory, measured, options_.view, unknown), unknown.has_value());
@@ -81,6 +86,58 @@ private:
     SensorSamples& samples_;
 };
 
+/// The same of poses: one case for each instant of the sensor's clock.
+class PoseCollector {
+public:
+    PoseCollector(const LoggedView& view, const SensorSampleOptions& options, SensorSamples& samples)
+        : view_(view), options_(options), samples_(samples) {}
+
+    void collect(std::size_t log, std::size_t robot, std::size_t trajectory, int name) {
+        const Trajectory& from = view_.log().robots[robot].trajectories[trajectory];
+        const SensorLog* const sensor = sensorOf(from, options_.sensor);
+        if (sensor == nullptr) return;
+        const std::vector<StampedPose>& poses = sensor->poses;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            const auto add = [&](Nanoseconds time, const Pose* reported) {
+                const Nanoseconds measured = time - options_.latency;
+                if (!view_.known(robot, trajectory, measured)) {
+                    ++samples_.withoutTruth;
+                    return;
+                }
+                const int block = blockOf(from, time - poses.front().time, options_);
+                samples_.looks.push_back({log, name, time, block, samples_.cases.size(), 1});
+                samples_.cases.push_back(caseOf(robot, trajectory, measured, reported));
+            };
+            if (i > 0) visitMissing(poses[i - 1].time, poses[i].time, [&](Nanoseconds time) { add(time, nullptr); });
+            add(poses[i].time, &poses[i].pose);
+        }
+    }
+
+private:
+    template <class Visit>
+    void visitMissing(Nanoseconds before, Nanoseconds after, const Visit& visit) const {
+        constexpr std::int64_t longest = 50;  // periods
+        if (options_.period <= 0) return;
+        const std::int64_t periods = (after - before + options_.period / 2) / options_.period;
+        for (std::int64_t i = 1; i < periods && periods <= longest; ++i) visit(before + (after - before) * i / periods);
+    }
+
+    SensorCase caseOf(std::size_t robot, std::size_t trajectory, Nanoseconds measured, const Pose* reported) const {
+        SensorCase one;
+        one.state.own = truthAt(view_.log().robots[robot].trajectories[trajectory].poses, measured);
+        one.state.velocity = view_.velocityOf(robot, trajectory, measured);
+        one.reported = reported != nullptr;
+        if (!one.reported) return one;
+        const Pose error = relative(one.state.own, *reported);
+        one.error = {error.x, error.y, wrappedAngle(error.heading)};
+        return one;
+    }
+
+    const LoggedView& view_;
+    const SensorSampleOptions& options_;
+    SensorSamples& samples_;
+};
+
 int indexOf(std::vector<std::string>& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found != names.end()) return static_cast<int>(found - names.begin());
@@ -88,16 +145,8 @@ int indexOf(std::vector<std::string>& names, const std::string& name) {
     return static_cast<int>(names.size()) - 1;
 }
 
-}  // namespace
-
-std::size_t SensorSamples::readings() const {
-    std::size_t count = 0;
-    for (const SensorLook& look : looks)
-        for (std::size_t i = 0; i < look.count && !look.unknown; ++i) count += cases[look.first + i].reported;
-    return count;
-}
-
-SensorSamples sensorSamples(std::span<const Log> logs, const SensorSampleOptions& options) {
+template <class Collector>
+SensorSamples collected(std::span<const Log> logs, const SensorSampleOptions& options) {
     SensorSamples samples;
     for (std::size_t log = 0; log < logs.size(); ++log) {
         const LoggedView view(logs[log], options.sizes);
@@ -112,6 +161,20 @@ SensorSamples sensorSamples(std::span<const Log> logs, const SensorSampleOptions
         }
     }
     return samples;
+}
+
+}  // namespace
+
+std::size_t SensorSamples::readings() const {
+    std::size_t count = 0;
+    for (const SensorLook& look : looks)
+        for (std::size_t i = 0; i < look.count && !look.unknown; ++i) count += cases[look.first + i].reported;
+    return count;
+}
+
+SensorSamples sensorSamples(std::span<const Log> logs, const SensorSampleOptions& options) {
+    return options.measures == SensorNetwork::Measures::pose ? collected<PoseCollector>(logs, options)
+                                                             : collected<SubjectCollector>(logs, options);
 }
 
 }  // namespace mrose

@@ -8,6 +8,7 @@
 #include "logs/robot_log.h"
 #include "perception/logged_view.h"
 #include "perception/reading_distribution.h"
+#include "perception/sensor_network.h"
 
 namespace mrose {
 
@@ -16,7 +17,7 @@ struct SensorCase {
     SensedState state;
     std::size_t subject = 0;  ///< in Log::subjects; 0 of a pose
     bool reported = false;
-    ReadingError error{};  ///< where it was reported
+    ReadingError error{};  ///< where it was reported; of a pose in the robot's true frame
 };
 
 /// One look of a robot's sensor: its cases are `count` from `first` on.
@@ -24,7 +25,7 @@ struct SensorLook {
     std::size_t log = 0;  ///< of the logs
     int robot = -1;       ///< in SensorSamples::robots
     Nanoseconds time = 0;
-    int block = 0;  ///< of time: what is held out together
+    int block = 0;  ///< of time and of the trajectories' groups: what is held out together
     std::size_t first = 0, count = 0;
     bool unknown = false;  ///< the same as the one before, as if all other robots but one were not tracked
 };
@@ -42,10 +43,14 @@ struct SensorSamples {
 };
 
 struct SensorSampleOptions {
-    std::string sensor;                    ///< its name in the logs
+    std::string sensor;  ///< its name in the logs
+    SensorNetwork::Measures measures = SensorNetwork::Measures::subjects;
     std::vector<std::string> robots = {};  ///< whose; empty: of all. The others are seen and occlude
     Nanoseconds latency = 0;               ///< from what is measured to the stamp
-    View view = {};                        ///< subjects within its margin are cases
+    /// Of a clock by which poses are reported: where they lie up to 50 periods apart, it reported none between them. 0:
+    /// it has none.
+    Nanoseconds period = 0;
+    View view = {};  ///< subjects within its margin are cases
     TrackedSizes sizes = {};
     double block = 60;  ///< s
 };

@@ -244,6 +244,10 @@ GrossErrors findGross(const SensorSamples& samples, int dimensions) {
         for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
             gross.reach[d] = std::max(gross.reach[d], std::abs(one.error[d]));
     }
+    // A pose may be mistaken for one farther away than any so far; readings have a view.
+    constexpr double farther = 1.5;
+    if (dimensions == 3)
+        for (double& reach : gross.reach) reach *= farther;
     gross.share = (static_cast<double>(wrong) + 0.5) / (static_cast<double>(readings) + 1);
     return gross;
 }
@@ -253,7 +257,8 @@ void findOutputScales(SensorNetwork& network, const SensorSamples& samples) {
     std::vector<NetworkVariable>& outputs = network.learned.outputs;
     outputs = sensorOutputs(network.measures, network.form);
     const double readings = static_cast<double>(samples.readings());
-    outputs[ReadingForm::reported].mean = normalQuantile(readings / static_cast<double>(samples.cases.size()));
+    const double cases = static_cast<double>(samples.cases.size());
+    outputs[ReadingForm::reported].mean = normalQuantile(std::min(readings, cases - 0.5) / cases);
     const auto at = [&](int i) -> NetworkVariable& { return outputs[static_cast<std::size_t>(i)]; };
     for (int d = 0; d < network.form.dimensions; ++d) {
         const auto i = static_cast<std::size_t>(d);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "identification/sensor_lateness.h"
+#include "logs/robot_log.h"
+
+namespace mrose {
+
+/// What the sensors of one name reported in logs, and when, by all robots and logs together.
+struct SensorSummary {
+    std::size_t readings = 0, poses = 0, scans = 0;
+    bool clocked = false;    ///< reports come regularly, so that a missing one shows
+    Nanoseconds period = 0;  ///< of the clock, or else the median of the robots' medians; 0: of too few
+    /// The robots' mean, weighted by their standard errors. Not identified: none is, for the reason of the first.
+    SensorLateness lateness;
+};
+
+/// `robots`: whose; empty: of all.
+SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sensor,
+                              const std::vector<std::string>& robots);
+
+/// The mean of those that are identified.
+SensorLateness pooledLateness(std::span<const SensorLateness> each);
+
+}  // namespace mrose
