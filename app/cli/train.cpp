@@ -129,10 +129,10 @@ void addResponseTimes(CLI::App& sub, TrainFlags& flags) {
 }
 
 void addSensor(CLI::App& sub, TrainFlags& flags) {
-    CLI::Option* sensor =
-        sub.add_option("--sensor", flags.sensor.sensor,
-                       "Learn a sensor, by its name in the logs, instead of motion: how likely a subject is reported, "
-                       "and the distribution of range and bearing");
+    CLI::Option* sensor = sub.add_option(
+        "--sensor", flags.sensor.sensor,
+        "Learn a sensor, by its name in the logs, instead of motion: how likely it reports a subject or, "
+        "where it says where its robot is, that, and how the errors are distributed");
     sub.add_option("--family", flags.family, "What the sensor's distribution is learned by")
         ->check(CLI::IsMember(std::vector<std::string>(regressorFamilyNames.begin(), regressorFamilyNames.end())))
         ->needs(sensor)
@@ -244,11 +244,14 @@ private:
     int shown_ = -1;
 };
 
-void printSensor(const SensorNetwork& n, const std::string& file, double seconds) {
-    std::printf("%s: %s of \"%s\", %d inputs; learned from %lld looks with %lld readings in %s\n", file.c_str(),
+void printSensor(const TrainedSensor& trained, const std::string& file, double seconds) {
+    const SensorNetwork& n = trained.network;
+    for (const std::string& notice : trained.notices) std::printf("Note: %s\n", notice.c_str());
+    std::printf("%s: %s of \"%s\", %d inputs; learned from %lld looks with %lld %s in %s\n", file.c_str(),
                 std::string(nameOf(familyOf(n.learned.regressor))).c_str(), n.sensor.c_str(),
                 static_cast<int>(n.learned.inputs.size()), static_cast<long long>(n.heldOut.looks),
-                static_cast<long long>(n.heldOut.readings), durationText(seconds).c_str());
+                static_cast<long long>(n.heldOut.readings),
+                n.measures == SensorNetwork::Measures::pose ? "poses" : "readings", durationText(seconds).c_str());
     std::printf("latency %.0f ms; held out, mean log-likelihood: detection %.4f, error %.4f\n",
                 1e3 * toSeconds(n.latency), n.heldOut.reported, n.heldOut.error);
 }

@@ -17,6 +17,8 @@ Expected<PredictedReadings> predictReadings(const PredictReadingsRequest& reques
         return tl::unexpected(can.error());
     auto network = loadSensor(request.network);
     if (!network) return tl::unexpected(network.error());
+    if (network->measures == SensorNetwork::Measures::pose)
+        return fail(request.network, "is a sensor that reports its robot's own pose; subjects are predicted");
     const auto log = openLog(request.log, {});
     if (!log) return tl::unexpected(log.error());
     auto queries = readQueries(request.queries);

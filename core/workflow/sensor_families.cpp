@@ -91,7 +91,7 @@ Expected<std::vector<SensorNetwork>> learnOtherFamilies(const SensorNetwork& net
             return mayGoOn(progress, (done + share) / (regressorFamilyNames.size() - 1));
         });
         if (!trained) return tl::unexpected(trained.error());
-        others.push_back(std::move(*trained));
+        others.push_back(std::move(trained->network));
     }
     return others;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "identification/sensor_summary.h"
 #include "workflow/learning_logs.h"
 #include "workflow/log_files.h"
 #include "workflow/outputs.h"
@@ -10,61 +11,118 @@
 namespace mrose {
 namespace {
 
-/// Within which bearing and range nearly all is reported: edges blur beyond.
-View viewOf(const std::vector<Log>& logs, const SensorSampleOptions& options) {
-    SensorSampleOptions wide = options;
-    wide.view = {1e3, 6.2};
-    const SensorSamples samples = sensorSamples(logs, wide);
-    std::vector<double> ranges, bearings;
-    for (const SensorCase& one : samples.cases)
-        if (one.reported) {
-            ranges.push_back(one.state.range);
-            bearings.push_back(std::abs(one.state.bearing));
-        }
-    const auto nearlyAll = [](std::vector<double>& values, double share) {
-        if (values.empty()) return 1.0;
-        const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-        std::nth_element(values.begin(), at, values.end());
-        return *at;
-    };
-    return {nearlyAll(ranges, 0.999), 2 * nearlyAll(bearings, 0.995)};
+/// Of all values but the largest, at most so large.
+double nearlyAll(std::vector<double> values, double share) {
+    if (values.empty()) return 1;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
 }
 
-}  // namespace
+/// Fills in what subjects are reported, and within which bearing and range nearly all are: edges blur beyond.
+void lookAround(SensorNetwork& blueprint, SensorSampleOptions& sampling, const std::vector<Log>& logs) {
+    if (blueprint.measures == SensorNetwork::Measures::pose) return;
+    SensorSampleOptions wide = sampling;
+    wide.view = {1e3, 6.2};
+    blueprint.landmarks = blueprint.robotSubjects = false;
+    std::vector<double> ranges, bearings;
+    for (const SensorCase& one : sensorSamples(logs, wide).cases) {
+        if (!one.reported) continue;
+        ranges.push_back(one.state.range);
+        bearings.push_back(std::abs(one.state.bearing));
+        (one.state.subject == SubjectKind::robot ? blueprint.robotSubjects : blueprint.landmarks) = true;
+    }
+    blueprint.view = {nearlyAll(std::move(ranges), 0.999), 2 * nearlyAll(std::move(bearings), 0.995)};
+    sampling.view = blueprint.view;
+}
 
-Expected<SensorNetwork> trainSensor(const TrainSensorRequest& request, const Progress& progress) {
-    std::vector<std::string> read;
-    for (const std::string& log : request.logs) read.push_back(placeOfLog(log));
-    if (!request.output.empty())
-        if (auto can = checkOutput(request.output, read, request.overwrite); !can) return tl::unexpected(can.error());
+std::vector<std::string> sensorNames(const Log& log) {
+    std::vector<std::string> names;
+    for (const RobotLog& robot : log.robots)
+        for (const Trajectory& trajectory : robot.trajectories)
+            for (const SensorLog& sensor : trajectory.sensors)
+                if (std::ranges::find(names, sensor.sensor) == names.end()) names.push_back(sensor.sensor);
+    return names;
+}
+
+Expected<void> checkHolds(const Log& log, const std::string& sensor) {
+    const std::vector<std::string> names = sensorNames(log);
+    if (std::ranges::find(names, sensor) != names.end()) return {};
+    if (names.empty()) return fail(log.source, "holds no measurements, of which a sensor could be learned");
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    return fail(log.source, "has no sensor \"" + sensor + "\"; it has " + all);
+}
+
+Expected<std::vector<Log>> openAll(const TrainSensorRequest& request) {
     std::vector<Log> logs;
     for (const std::string& source : request.logs) {
         auto log = openLog(source, {});
         if (!log) return tl::unexpected(log.error());
+        if (auto holds = checkHolds(*log, request.sensor); !holds) return tl::unexpected(holds.error());
+        for (const std::string& robot : request.robots)
+            if (std::ranges::find(log->robots, robot, &RobotLog::robot) == log->robots.end())
+                return fail(log->source, "has no robot \"" + robot + '"');
         logs.push_back(std::move(*log));
     }
-    const auto traits = traitsOf(request.robotKind, logs.front());
-    if (!traits) return tl::unexpected(traits.error());
-    SensorSampleOptions sampling{.sensor = request.sensor, .robots = request.robots};
-    sampling.latency = fromSeconds(request.latency.value_or(0.040));
-    sampling.view = viewOf(logs, sampling);
-    const SensorSamples samples = sensorSamples(logs, sampling);
+    return logs;
+}
+
+/// The longest latency that a network file may state.
+constexpr double longestLatency = 1;  // s
+
+/// What is to be learned, but for what the samples say. What was not found is a notice.
+SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary& found, const std::vector<Log>& logs,
+                          std::vector<std::string>& notices) {
     SensorNetwork blueprint;
     blueprint.sensor = request.sensor;
-    blueprint.robotType = traits->type;
-    blueprint.period = 236'000'000;
-    blueprint.latency = sampling.latency;
-    blueprint.view = sampling.view;
-    blueprint.robotSubjects = true;
-    blueprint.learned.training.command = request.command;
-    for (const Log& log : logs) {
-        blueprint.learned.synthetic |= log.synthetic;
-        for (const auto* files : {&log.files, &log.measurementFiles})
-            for (const LogFile& file : *files) blueprint.learned.training.logs.push_back({file.path, file.hash});
+    blueprint.measures = found.readings > 0 ? SensorNetwork::Measures::subjects : SensorNetwork::Measures::pose;
+    blueprint.period = found.period;
+    if (request.latency) {
+        blueprint.latency = fromSeconds(*request.latency);
+    } else if (found.lateness.identified) {
+        blueprint.latency = fromSeconds(std::clamp(found.lateness.lateness, 0.0, longestLatency));
+        blueprint.latencyError = found.lateness.error;
+    } else {
+        notices.push_back("Its latency is not known, and taken as 0: " + found.lateness.reason + ".");
     }
-    auto trained = trainSensor(blueprint, samples, request.training, progress);
-    if (!trained || request.output.empty()) return trained;
-    if (auto saved = saveSensor(*trained, request.output); !saved) return tl::unexpected(saved.error());
+    for (const Log& log : logs) {
+        blueprint.learned.synthetic = blueprint.learned.synthetic || log.synthetic;
+        for (const std::vector<LogFile>& files : {log.files, log.measurementFiles})
+            for (const LogFile& file : files) blueprint.learned.training.logs.push_back({file.path, file.hash});
+    }
+    blueprint.learned.training.command = request.command;
+    return blueprint;
+}
+
+}  // namespace
+
+Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Progress& progress) {
+    std::vector<std::string> read;
+    for (const std::string& log : request.logs) read.push_back(placeOfLog(log));
+    if (!request.output.empty())
+        if (auto can = checkOutput(request.output, read, request.overwrite); !can) return tl::unexpected(can.error());
+    const auto logs = openAll(request);
+    if (!logs) return tl::unexpected(logs.error());
+    const auto traits = traitsOf(request.robotKind, logs->front());
+    if (!traits) return tl::unexpected(traits.error());
+    const SensorSummary found = summariseSensor(*logs, request.sensor, request.robots);
+    if (found.readings + found.poses == 0 && found.scans > 0)
+        return fail(logs->front().source, "\"" + request.sensor + "\" reports scans, which cannot be learned");
+    std::vector<std::string> notices;
+    SensorNetwork blueprint = blueprintOf(request, found, *logs, notices);
+    blueprint.robotType = traits->type;
+    SensorSampleOptions sampling{.sensor = request.sensor,
+                                 .measures = blueprint.measures,
+                                 .robots = request.robots,
+                                 .latency = blueprint.latency};
+    if (found.clocked) sampling.period = found.period;
+    lookAround(blueprint, sampling, *logs);
+    auto network = trainSensor(blueprint, sensorSamples(*logs, sampling), request.training, progress);
+    if (!network) return tl::unexpected(atFile(network.error(), logs->front().source).error());
+    TrainedSensor trained{std::move(*network), std::move(notices)};
+    if (request.output.empty()) return trained;
+    if (auto saved = saveSensor(trained.network, request.output); !saved) return tl::unexpected(saved.error());
     return trained;
 }
 

@@ -18,14 +18,20 @@ struct TrainSensorRequest {
     bool overwrite = false;                ///< of a file that is there already
     std::vector<std::string> robots = {};  ///< whose sensors; empty: of all. The others are seen and occlude
     std::string robotKind = {};            ///< a name or a robot file; empty: what the log says
-    std::optional<double> latency = {};    ///< s; otherwise identified
+    std::optional<double> latency = {};    ///< s; otherwise identified, by all robots and logs
     SensorTrainerOptions training = {};
     std::string command = {};  ///< what the network says that it was made by
 };
 
-/// Reads the logs, learns, and writes the network. Error: of the logs, openLog(); one without readings, or of such a
-/// sensor; the file cannot be written, is there already or one of the logs; too little to learn from; `progress` ended
+struct TrainedSensor {
+    SensorNetwork network;
+    std::vector<std::string> notices = {};  ///< what must be known of it, a sentence each
+};
+
+/// Reads the logs, learns, and writes the network: of subjects where the sensor reported readings, else of its robot's
+/// own pose. Error: of the logs, openLog(); one without measurements, without such a sensor or robot; a sensor of
+/// scans; the file cannot be written, is there already or one of the logs; too little to learn from; `progress` ended
 /// it.
-Expected<SensorNetwork> trainSensor(const TrainSensorRequest& request, const Progress& progress = {});
+Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Progress& progress = {});
 
 }  // namespace mrose
