@@ -119,7 +119,7 @@ Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Pro
     if (found.clocked) sampling.period = found.period;
     lookAround(blueprint, sampling, *logs);
     auto network = trainSensor(blueprint, sensorSamples(*logs, sampling), request.training, progress);
-    if (!network) return tl::unexpected(atFile(network.error(), logs->front().source).error());
+    if (!network) return atFile(network.error(), logs->front().source);
     TrainedSensor trained{std::move(*network), std::move(notices)};
     if (request.output.empty()) return trained;
     if (auto saved = saveSensor(trained.network, request.output); !saved) return tl::unexpected(saved.error());
