@@ -9,18 +9,18 @@
 namespace mrose {
 namespace {
 
-/// Time by the periods of a clock that have passed, where few reports are missing between two.
+/// Time by the periods of a clock that have passed, where few reports are missing between two and none was held up.
 class ClockCount {
 public:
     explicit ClockCount(double period) : period_(period) {}
 
     template <class Report>
     void add(const std::vector<Report>& reports) {
-        constexpr double most = 8;  // periods
+        constexpr double most = 8, near = 0.25;  // periods
         for (std::size_t i = 1; i < reports.size(); ++i) {
             const double pause = toSeconds(reports[i].time - reports[i - 1].time);
             const double periods = std::round(pause / period_);
-            if (periods < 1 || periods > most) continue;
+            if (periods < 1 || periods > most || std::abs(pause / period_ - periods) > near) continue;
             seconds_ += pause;
             periods_ += periods;
         }

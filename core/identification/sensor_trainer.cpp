@@ -222,38 +222,42 @@ private:
     std::int64_t epochs_ = 0;
 };
 
-/// Errors beyond ten times what the middle half of them would make the standard deviation are gross.
-GrossErrors findGross(const SensorSamples& samples, int dimensions) {
-    GrossErrors gross;
-    std::array<double, ReadingForm::maxDimensions> bound{};
-    std::size_t readings = 0, wrong = 0;
+/// Ten times what the middle half of the errors would make the standard deviation: errors beyond are gross.
+ReadingError soundBounds(const SensorSamples& samples, int dimensions) {
+    ReadingError bounds{};
     for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d) {
         std::vector<double> errors;
         for (const SensorCase& one : samples.cases)
             if (one.reported) errors.push_back(one.error[d]);
-        readings = errors.size();
-        bound[d] = std::max(10 * robustSpread(errors, medianOf(errors)), 1e-6);
-        gross.reach[d] = 2 * bound[d];
+        bounds[d] = std::max(10 * robustSpread(errors, medianOf(errors)), 1e-6);
     }
+    return bounds;
+}
+
+GrossErrors findGross(const SensorSamples& samples, int dimensions, const ReadingError& bounds) {
+    GrossErrors gross;
+    const auto each = static_cast<std::size_t>(dimensions);
+    for (std::size_t d = 0; d < each; ++d) gross.reach[d] = 2 * bounds[d];
+    std::size_t wrong = 0;
     for (const SensorCase& one : samples.cases) {
         bool sound = true;
-        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
-            sound = sound && std::abs(one.error[d]) <= bound[d];
+        for (std::size_t d = 0; d < each; ++d) sound = sound && std::abs(one.error[d]) <= bounds[d];
         if (!one.reported || sound) continue;
         ++wrong;
-        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
-            gross.reach[d] = std::max(gross.reach[d], std::abs(one.error[d]));
+        for (std::size_t d = 0; d < each; ++d) gross.reach[d] = std::max(gross.reach[d], std::abs(one.error[d]));
     }
     // A pose may be mistaken for one farther away than any so far; readings have a view.
     constexpr double farther = 1.5;
     if (dimensions == 3)
         for (double& reach : gross.reach) reach *= farther;
+    const auto readings = std::ranges::count_if(samples.cases, &SensorCase::reported);
     gross.share = (static_cast<double>(wrong) + 0.5) / (static_cast<double>(readings) + 1);
     return gross;
 }
 
-/// How the outputs are standardised: by all cases together, so that zeros are a first guess of everything.
-void findOutputScales(SensorNetwork& network, const SensorSamples& samples) {
+/// How the outputs are standardised: by all cases together whose errors are within bounds, so that zeros are a first
+/// guess of everything.
+void findOutputScales(SensorNetwork& network, const SensorSamples& samples, const ReadingError& bounds) {
     std::vector<NetworkVariable>& outputs = network.learned.outputs;
     outputs = sensorOutputs(network.measures, network.form);
     const double readings = static_cast<double>(samples.readings());
@@ -265,7 +269,7 @@ void findOutputScales(SensorNetwork& network, const SensorSamples& samples) {
         double sum = 0, squares = 0, count = 0;
         const auto visit = [&](auto use) {
             for (const SensorCase& one : samples.cases)
-                if (one.reported && std::abs(one.error[i]) < 0.5 * network.gross.reach[i]) use(one.error[i]);
+                if (one.reported && std::abs(one.error[i]) < bounds[i]) use(one.error[i]);
         };
         visit([&](double error) { sum += error, ++count; });
         const double mean = sum / count;
@@ -299,11 +303,12 @@ Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const Sensor
     network.robots = samples.robots;
     network.form.dimensions = static_cast<int>(dimensionsOf(network.measures).size());
     network.form.components = options.family == RegressorFamily::network ? options.components : 1;
-    network.gross = findGross(samples, network.form.dimensions);
+    const ReadingError bounds = soundBounds(samples, network.form.dimensions);
+    network.gross = findGross(samples, network.form.dimensions, bounds);
     network.constant = fitConstantNoise(network, samples);
     network.learned.kind = SensorNetwork::kind;
     network.learned.inputs = sensorInputsFor(network, samples);
-    findOutputScales(network, samples);
+    findOutputScales(network, samples, bounds);
     SensorLearner learner(network, samples, options);
     if (!learner.enough()) return fail("", "is too short to hold out a part of it: less than a few minutes");
     // learning from all takes somewhat longer than from a fold's others
