@@ -10,6 +10,9 @@ namespace {
 
 using Component = ReadingDistribution::Component;
 
+/// The standard deviation of a sum of what is independent.
+double together(double a, double b) { return std::sqrt(a * a + b * b); }
+
 /// P(|Z| < |x|) with the sign of x, of a standard normal Z.
 double twoSided(double x) { return 2 * normalProbability(x) - 1; }
 
@@ -47,8 +50,7 @@ double rankedProbabilityScore(const ReadingDistribution& predicted, int dimensio
         const double share = (1 - even) * a.share;
         toError += share * meanSize(a.mean[d] - error, a.spread[d]);
         for (const Component& b : components)
-            apart +=
-                share * (1 - even) * b.share * meanSize(a.mean[d] - b.mean[d], std::hypot(a.spread[d], b.spread[d]));
+            apart += share * (1 - even) * b.share * meanSize(a.mean[d] - b.mean[d], together(a.spread[d], b.spread[d]));
         if (even > 0) apart += 2 * share * even * meanDistanceToEven(a.mean[d], a.spread[d], reach);
     }
     if (even > 0) {
