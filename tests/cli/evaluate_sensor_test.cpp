@@ -16,9 +16,8 @@ protected:
     /// A sensor that was learned in no time from the log that it is judged by.
     std::string learned(const std::string& family) {
         const std::string file = path(family + ".net");
-        const ProgramResult trained =
-            runMrose({"train", folder_.path(), "--sensor", "camera", "--family", family, "-o", file, "--members", "1",
-                      "--epochs", "20", "--hidden", "4", "-q", "--overwrite"});
+        const ProgramResult trained = runMrose({"train", folder_.path(), "--sensor", "camera", "--family", family, "-o",
+                                                file, "--epochs", "20", "--hidden", "4", "-q", "--overwrite"});
         EXPECT_EQ(trained.status, 0) << trained.err;
         return file;
     }
