@@ -24,7 +24,7 @@ struct SensorTrainerOptions {
     int components = 4;  ///< of the mixture; tables and trees have 1
     int folds = 4;
     SensorHalfOptions reported{.hidden = 16, .epochs = 400, .weightDecay = 1e-3};
-    SensorHalfOptions error{.hidden = 28, .epochs = 1300, .weightDecay = 5e-4};
+    SensorHalfOptions error{.hidden = 28, .epochs = 1300, .weightDecay = 2e-3};
     int patience = 300;       ///< epochs without a better held-out likelihood after which a fold ends
     double roughness = 1e-5;  ///< of tables
     int trees = 40;           ///< for each output

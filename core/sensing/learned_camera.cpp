@@ -203,25 +203,4 @@ void LearnedCamera::sense(const SensorView& view, std::span<std::byte> memory, O
     }
 }
 
-SensorPointer readLearnedCamera(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& networks) {
-    const std::shared_ptr<const LearnedSensor> learned = networks(table, "network");
-    LearnedCamera::Options options;
-    if (table.has("robot")) options.robot = name(table, "robot");
-    if (table.has("latency_s")) options.latency = duration(table, "latency_s", latencies);
-    if (traits.name.size() > LearnedCamera::mostName)
-        table.reject("name", "expected at most " + std::to_string(LearnedCamera::mostName) +
-                                 " characters, because of the reading \"" + traits.name + ".landmarks\"");
-    if (!learned || table.failed()) return nullptr;
-    const SensorNetwork& network = learned->network();
-    if (network.measures != SensorNetwork::Measures::subjects)
-        table.reject("network", "is of a sensor that measures its robot's pose; expected one of landmarks and robots");
-    if (options.robot && learned->robotIndex(*options.robot) < 0) {
-        std::string known;
-        for (const std::string& robot : network.robots) known += (known.empty() ? "\"" : ", \"") + robot + '"';
-        table.reject("robot", "is none of the network's robots: " + (known.empty() ? "none" : known));
-    }
-    if (table.failed()) return nullptr;
-    return std::make_shared<const LearnedCamera>(learned, traits, options);
-}
-
 }  // namespace mrose

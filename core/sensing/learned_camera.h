@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "geometry/point.h"
-#include "io/toml_table.h"
 #include "perception/learned_sensor.h"
 #include "perception/reading_noise.h"
 #include "scene/perception.h"
@@ -84,11 +82,5 @@ private:
     Lasting slow_, subject_;  ///< after one period
     std::vector<ReadingKind> gives_;
 };
-
-/// Gives the sensor network that a table names by a key; null after an error, which the table remembers.
-using SensorNetworkReader = std::function<std::shared_ptr<const LearnedSensor>(TomlTable& table, std::string_view key)>;
-
-/// Its keys in a robot file, [[sensor]] of the kind "learned".
-SensorPointer readLearnedCamera(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& networks);
 
 }  // namespace mrose

@@ -28,11 +28,9 @@ Velocity velocityBefore(const SensorView& view, std::int64_t lag) {
 }  // namespace
 
 LearnedLocaliser::LearnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
-                                   const std::string& robot)
-    : learned_(std::move(learned)),
-      traits_(traits),
-      robot_(learned_->robotIndex(robot)),
-      weights_(learned_->network().noise) {
+                                   const std::optional<std::string>& robot)
+    : learned_(std::move(learned)), traits_(traits), weights_(learned_->network().noise) {
+    if (robot) robot_ = learned_->robotIndex(*robot);
     assert(learned_->network().measures == SensorNetwork::Measures::pose);
     if (traits_.period == 0) traits_.period = learned_->network().period;
 }
@@ -84,16 +82,12 @@ void LearnedLocaliser::sense(const SensorView& view, std::span<std::byte> memory
     state.own = view.poseBefore(view.robot, lag);
     state.velocity = velocityBefore(view, lag);
     ReadingDistribution distribution;
-    learned_->distributions({&state, 1}, robot_, {&distribution, 1});
+    const int robot = robot_ ? *robot_ : learned_->robotIndex(view.scene.robots[view.robot].motionRobot);
+    learned_->distributions({&state, 1}, robot, {&distribution, 1});
     const ReadingDraw draw = drawOf(view, own);
     if (!distribution.reports(draw)) return;
     const ReadingError error = distribution.error(draw);
     out.add(traits_.name, view.timeBefore(lag), state.own * Pose{error[0], error[1], error[2]});
-}
-
-SensorPointer learnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
-                               const std::string& robot) {
-    return std::make_shared<const LearnedLocaliser>(std::move(learned), traits, robot);
 }
 
 }  // namespace mrose

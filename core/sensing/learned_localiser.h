@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "perception/learned_sensor.h"
@@ -12,10 +13,10 @@ namespace mrose {
 /// none.
 class LearnedLocaliser final : public Sensor {
 public:
-    /// `learned` measures poses; `robot` is one of those that it was learned from, any other is as their mean. Without
-    /// a period in `traits` the learned one is its clock.
+    /// `learned` measures poses. `robot`: whose localisation; nullopt: SceneRobot::motionRobot's, where it was learned,
+    /// else as the mean of all. A period of 0 is the network's.
     LearnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
-                     const std::string& robot);
+                     const std::optional<std::string>& robot = std::nullopt);
 
     struct Memory {
         ChannelNumbers slow{};    ///< what lasts of each channel's number: standard normal
@@ -38,12 +39,8 @@ private:
 
     std::shared_ptr<const LearnedSensor> learned_;
     SensorTraits traits_;
-    int robot_;
+    std::optional<int> robot_;  ///< of the network's
     NoiseWeights weights_;
 };
-
-/// For [[sensor]] kind = "learned" of a network that measures poses.
-SensorPointer learnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
-                               const std::string& robot);
 
 }  // namespace mrose

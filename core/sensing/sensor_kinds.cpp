@@ -56,7 +56,7 @@ SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits, const S
 constexpr SensorKind kinds[] = {{"camera", readCamera},
                                 {"localisation", readLocaliser},
                                 {"odometry", readOdometry},
-                                {"learned", readLearnedCamera}};
+                                {"learned", readLearnedSensor}};
 
 /// What every robot's sensors are called, and what a controller and a motion model have of their own.
 constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,

@@ -5,7 +5,7 @@
 
 #include "io/toml_table.h"
 #include "scene/perception.h"
-#include "sensing/learned_camera.h"
+#include "sensing/learned_kind.h"
 #include "sensing/sensor.h"
 
 namespace mrose {

@@ -70,9 +70,9 @@ TEST(LearnedCameraFile, MistakesAreNamed) {
     Mlp& mlp = std::get<Mlp>(poses.learned.regressor);
     mlp.shape.outputs = poses.form.outputs();
     mlp.parameters.assign(mlp.shape.parameterCount(), 0);
-    EXPECT_THAT(
-        errorOf(named, sensorText(poses)),
-        HasSubstr("learned.toml:9:11: sensor[\"camera\"].network: is of a sensor that measures its robot's pose"));
+    EXPECT_THAT(errorOf(named + "latency_s = 0.1\n", sensorText(poses)),
+                HasSubstr("sensor[\"camera\"].latency_s: is not a known key"))
+        << "of a localisation it is the network's";
 }
 
 }  // namespace

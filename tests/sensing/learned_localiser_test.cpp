@@ -58,7 +58,8 @@ SensorNetwork someLocalisation() {
 
 Scenario localised(const SensorNetwork& network, std::shared_ptr<const Controller> controller, Nanoseconds period = 0) {
     RobotType type = discRobot(0.2);
-    type.sensors = {learnedLocaliser(std::make_shared<const LearnedSensor>(network), {"place", period}, "a")};
+    type.sensors = {std::make_shared<const LearnedLocaliser>(std::make_shared<const LearnedSensor>(network),
+                                                             SensorTraits{"place", period}, "a")};
     return SmallWorld()
         .robot(type, {1, 2, 0.5}, std::move(controller),
                std::make_shared<const KinematicModel>(KinematicParameters{}, 100 * millisecond))
