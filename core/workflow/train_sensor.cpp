@@ -1,6 +1,8 @@
 #include "workflow/train_sensor.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "identification/sensor_summary.h"
 #include "workflow/learning_logs.h"
@@ -68,8 +70,24 @@ Expected<std::vector<Log>> openAll(const TrainSensorRequest& request) {
     return logs;
 }
 
-/// The longest latency that a network file may state.
-constexpr double longestLatency = 1;  // s
+// What a network file may state, s.
+constexpr double longestLatency = 1, longestPeriod = 10;
+
+/// Sets the latency that was found; what cannot be stated, or was not found, is a notice.
+void setLatency(SensorNetwork& blueprint, const SensorLateness& found, std::vector<std::string>& notices) {
+    if (!found.identified) {
+        notices.push_back("Its latency is not known, and taken as 0: " + found.reason + ".");
+        return;
+    }
+    const double latency = std::clamp(found.lateness, 0.0, longestLatency);
+    blueprint.latency = fromSeconds(latency);
+    blueprint.latencyError = found.error;
+    if (std::abs(latency - found.lateness) <= 2 * found.error) return;
+    char text[100];
+    std::snprintf(text, sizeof text, "Its latency of %.0f ms is taken as %.0f ms, the nearest that a sensor can have.",
+                  1e3 * found.lateness, 1e3 * latency);
+    notices.emplace_back(text);
+}
 
 /// What is to be learned, but for what the samples say. What was not found is a notice.
 SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary& found, const std::vector<Log>& logs,
@@ -77,15 +95,11 @@ SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary
     SensorNetwork blueprint;
     blueprint.sensor = request.sensor;
     blueprint.measures = found.readings > 0 ? SensorNetwork::Measures::subjects : SensorNetwork::Measures::pose;
-    blueprint.period = found.period;
-    if (request.latency) {
+    if (toSeconds(found.period) <= longestPeriod) blueprint.period = found.period;
+    if (request.latency)
         blueprint.latency = fromSeconds(*request.latency);
-    } else if (found.lateness.identified) {
-        blueprint.latency = fromSeconds(std::clamp(found.lateness.lateness, 0.0, longestLatency));
-        blueprint.latencyError = found.lateness.error;
-    } else {
-        notices.push_back("Its latency is not known, and taken as 0: " + found.lateness.reason + ".");
-    }
+    else
+        setLatency(blueprint, found.lateness, notices);
     for (const Log& log : logs) {
         blueprint.learned.synthetic = blueprint.learned.synthetic || log.synthetic;
         for (const std::vector<LogFile>& files : {log.files, log.measurementFiles})

@@ -14,6 +14,14 @@
 namespace mrose {
 namespace {
 
+Log withoutTruth() {
+    Log log = plantedSensorLog({});
+    Trajectory& trajectory = log.robots[0].trajectories[0];
+    for (const StampedPose& pose : trajectory.poses) trajectory.commands.push_back({pose.time, {0.1, 0.1}});
+    trajectory.poses.clear();
+    return log;
+}
+
 class TrainSensor : public testing::Test {
 protected:
     std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
@@ -75,6 +83,14 @@ TEST_F(TrainSensor, SaysWhereTheLatencyIsNotKnown) {
     EXPECT_NE(trained->notices[0].find("latency is not known, and taken as 0: "), std::string::npos);
 }
 
+TEST_F(TrainSensor, SaysWhereStampsAreEarly) {
+    const auto trained = trainSensor(request(write("log.csv", plantedSensorLog({.lateness = -0.2})), "slam"));
+    ASSERT_TRUE(trained) << trained.error().message();
+    EXPECT_EQ(trained->network.latency, 0);
+    ASSERT_EQ(trained->notices.size(), 1u);
+    EXPECT_NE(trained->notices[0].find("is taken as 0 ms"), std::string::npos) << trained->notices[0];
+}
+
 TEST_F(TrainSensor, RefusesWithOneLine) {
     const std::string log = write("log.csv", plantedSensorLog({}));
     expectError(trainSensor(request(log, "gps")), log, {"has no sensor \"gps\"; it has camera, slam"});
@@ -88,6 +104,8 @@ TEST_F(TrainSensor, RefusesWithOneLine) {
     bare.subjects.clear();
     expectError(trainSensor(request(write("bare.csv", bare), "slam")), path("bare.csv"), {"holds no measurements"});
     std::vector<SensorLog>& sensors = scanning.robots[0].trajectories[0].sensors;
+    expectError(trainSensor(request(write("placeless.csv", withoutTruth()), "slam")), path("placeless.csv"),
+                {"holds 0 readings of what is known"});
     sensors = {{.sensor = "laser", .scans = {{planted::instant(2), -1, 1, {1, 2, 3}}}}};
     expectError(trainSensor(request(write("scans.csv", scanning), "laser")), path("scans.csv"),
                 {"\"laser\" reports scans, which cannot be learned"});
