@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "assessment/log_world.h"
+#include "control/reading.h"
 #include "io/format.h"
 #include "scenario/description_reader.h"
 
@@ -73,6 +75,15 @@ std::string nameOf(const Kind& kind, const RobotLog& robot) {
     return kind.robotName == robot.robot ? robot.robot : kind.robotName + ' ' + robot.robot;
 }
 
+/// The sensors that report subjects in its log, once each.
+Value::Array camerasOf(const RobotLog& robot) {
+    std::set<std::string> names;
+    for (const Trajectory& trajectory : robot.trajectories)
+        for (const SensorLog& sensor : trajectory.sensors)
+            if (!sensor.looks.empty() && sensor.sensor.size() <= ReadingName::most) names.insert(sensor.sensor);
+    return {names.begin(), names.end()};
+}
+
 }  // namespace
 
 bool namesRobotKind(const Log& log, const RobotKinds& kinds) { return kindOfLog(kinds, log) != nullptr; }
@@ -113,7 +124,9 @@ Expected<ScenarioValue> scenarioOfLog(const Log& log, const std::string& place, 
         Value::Table table{{"name", nameOf(*kind, robot)}, {"type", kind->robotFile}};
         if (std::find(kind->known.begin(), kind->known.end(), robot.robot) != kind->known.end())
             table.emplace("motion_robot", robot.robot);
-        table.emplace("controller", Value::Table{{"kind", "log_player"}, {"log", place}, {"robot", robot.robot}});
+        Value::Table player{{"kind", "log_player"}, {"log", place}, {"robot", robot.robot}};
+        if (Value::Array cameras = camerasOf(robot); !cameras.empty()) player.emplace("reads", std::move(cameras));
+        table.emplace("controller", std::move(player));
         robots.emplace_back(std::move(table));
     }
     Value::Table scenario{

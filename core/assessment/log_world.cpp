@@ -192,10 +192,10 @@ Expected<LogSession> LogWorld::sessionOf(const std::vector<std::size_t>& traject
     return session;
 }
 
-std::shared_ptr<const Controller> LogWorld::player(const RolloutStart& start, Nanoseconds duration) {
+std::shared_ptr<const Controller> LogWorld::player(const RolloutStart& start, Nanoseconds duration, Attention reads) {
     std::vector<StampedCommand> commands = commandsRead(start, start.time + duration);
     for (StampedCommand& command : commands) command.time -= start.time;
-    return std::make_shared<const CommandPlayer>(commands);
+    return std::make_shared<const CommandPlayer>(commands, std::move(reads));
 }
 
 void LogWorld::gatherAll() {
@@ -220,7 +220,7 @@ LogWorld::OpenedParts LogWorld::partsAt(std::size_t session, Nanoseconds start, 
         robot.start = measured->pose;
         robot.velocity = *measured->velocity;
         robot.phase = 0;
-        parts.controllers[body] = player(*measured, duration);
+        parts.controllers[body] = player(*measured, duration, parts.controllers[body]->attention());
     }
     const std::vector<std::size_t> bodies = removeRobots(parts, removed);
     for (const ComparedRobot& robot : robots_) opened.bodies.push_back(bodies[robot.body]);

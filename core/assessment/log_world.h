@@ -85,8 +85,9 @@ public:
     OpenedParts partsAt(std::size_t session, Nanoseconds start, Nanoseconds duration) const;
 
     /// A controller that issues the commands of its start's trajectory, for `duration`, on a clock that begins at the
-    /// start.
-    static std::shared_ptr<const Controller> player(const RolloutStart& start, Nanoseconds duration);
+    /// start; what it reads changes none of them.
+    static std::shared_ptr<const Controller> player(const RolloutStart& start, Nanoseconds duration,
+                                                    Attention reads = Attention::ofItself());
 
 private:
     LogWorld(ScenarioParts parts, std::shared_ptr<const Log> log) : parts_(std::move(parts)), log_(std::move(log)) {}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace mrose {
 namespace {
@@ -12,7 +13,7 @@ struct Memory {
 
 }  // namespace
 
-CommandPlayer::CommandPlayer(const std::vector<StampedCommand>& commands) {
+CommandPlayer::CommandPlayer(const std::vector<StampedCommand>& commands, Attention reads) : reads_(std::move(reads)) {
     for (const StampedCommand& command : commands) {
         assert(commands_.empty() || command.time > commands_.back().time);
         if (commands_.empty() || !identical(commands_.back().command, command.command)) commands_.push_back(command);

@@ -14,6 +14,7 @@
 #include "scenario/ball_contact.h"
 #include "scenario/description_reader.h"
 #include "scenario/log_excerpt.h"
+#include "sensing/sensor.h"
 
 namespace mrose {
 namespace {
@@ -54,6 +55,25 @@ ControllerSetting velocityScript(const Context& context) {
     return {std::make_shared<CommandPlayer>(commands)};
 }
 
+/// Itself, and of each name in `reads` the readings of the sensor that is called so, or the reading. What this robot
+/// does not have is passed over: the log's may have had more sensors.
+Attention playersAttention(TomlTable& table, const RobotType& type) {
+    Attention attention = Attention::ofItself();
+    if (!table.has("reads")) return attention;
+    const std::vector<std::string> names = table.strings("reads");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i].size() > ReadingName::most) {
+            table.rejectElement("reads", i, "is too long for a sensor or a reading");
+            return attention;
+        }
+        attention.names.emplace_back(names[i]);
+        for (const SensorPointer& sensor : type.sensors)
+            if (sensor->name() == names[i])
+                for (const ReadingKind& kind : sensor->gives()) attention.names.push_back(kind.name);
+    }
+    return attention;
+}
+
 ControllerSetting logPlayer(const Context& context) {
     TomlTable& table = context.table;
     LogExcerpt excerpt;
@@ -65,8 +85,10 @@ ControllerSetting logPlayer(const Context& context) {
     excerpt.trajectory = nameOr(table, "trajectory", "");
     excerpt.start = table.numberOr("start_s", 0, {-runTime.most, runTime.most});
     if (const auto& motion = context.driven.robot.motion) excerpt.drive = motion->network().drive;
+    Attention reads = playersAttention(table, context.driven.robot.type);
     if (table.failed()) return {};
-    if (!context.loading.playLogs) return {noController(), Pose{}, excerpt};
+    if (!context.loading.playLogs)
+        return {std::make_shared<CommandPlayer>(std::vector<StampedCommand>(), std::move(reads)), Pose{}, excerpt};
     auto content = included ? parseExcerpt(included->content) : std::optional<ExcerptContent>();
     if (included && !content) table.reject("log", "does not hold commands");
     if (!included) {
@@ -84,7 +106,7 @@ ControllerSetting logPlayer(const Context& context) {
                          "in the folder that MROSE_DATA names, or another one by --log");
         return {};
     }
-    return {std::make_shared<CommandPlayer>(content->commands), content->start, excerpt};
+    return {std::make_shared<CommandPlayer>(content->commands, std::move(reads)), content->start, excerpt};
 }
 
 ControllerSetting goToPose(const Context& context) {

@@ -61,5 +61,19 @@ TEST(LogScenario, RobotsWithoutCommandsOrTruthAreLeftToThoseThatHaveBoth) {
     EXPECT_THAT(refusal(checkPlayable(log, shippedKinds())), HasSubstr("has no commands of robot \"a\""));
 }
 
+TEST(LogScenario, PlayersReadTheSensorsThatReportSubjects) {
+    Log log = csvLogOf({driven("a", {0, 0, 0}, {1, 0, 0}), driven("b", {0, 1, 0}, {1, 1, 0})});
+    SensorLog camera{"camera"}, localisation{"localisation"};
+    camera.looks = {{0, {}}};
+    localisation.poses = {{0, {}}};
+    log.robots[1].trajectories[0].sensors = {localisation, camera};
+    const auto made = scenarioOfLog(log, "/logs/some.csv", shippedKinds(), "pioneer1.toml");
+    ASSERT_TRUE(made) << made.error().message();
+    EXPECT_EQ(made->at("robot[1].controller.reads"), nullptr);
+    const Value* const reads = made->at("robot[2].controller.reads");
+    ASSERT_TRUE(reads && reads->asArray());
+    EXPECT_EQ(*reads, Value(Value::Array{"camera"}));
+}
+
 }  // namespace
 }  // namespace mrose

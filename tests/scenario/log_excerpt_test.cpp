@@ -124,6 +124,37 @@ TEST(LogExcerpt, ScenarioKeepsItAndLoadsItWithoutTheLog) {
         << "the log that the user names instead";
 }
 
+TEST(LogExcerpt, PlayersReadWhatTheyAreAskedToAndTheRobotHas) {
+    auto files = smallWorld();
+    files["drives/two.csv"] = twoRobots;
+    const std::string wander = "{ kind = \"wander\", speed_mps = 0.2, rotation_degps = 45, change_every_s = 1 }";
+    const auto attention = [&](const std::string& reads) -> Expected<Attention> {
+        const TemporaryFolder folder;
+        std::string scenario = files.at("s.toml");
+        scenario.replace(scenario.find(wander), wander.size(),
+                         "{ kind = \"log_player\", log = \"drives/two.csv\", robot = \"a\"" + reads + " }");
+        for (const auto& [name, text] : files) folder.write(name, name == "s.toml" ? scenario : text);
+        DiskDescriptions disk({sourceFolder(), {}, ""});
+        const auto loaded = loadScenario((folder.path() / "s.toml").string(), disk);
+        if (!loaded) return tl::unexpected(loaded.error());
+        return loaded->parts.controllers[1]->attention();
+    };
+    ASSERT_TRUE(attention(""));
+    EXPECT_EQ(*attention(""), Attention::ofItself());
+    const auto some = attention(", reads = [\"robots\", \"camera\"]");
+    ASSERT_TRUE(some) << some.error().message();
+    EXPECT_TRUE(some->reads(robotsReading) && some->reads(selfReading));
+    EXPECT_FALSE(some->reads(objectsReading) || some->reads("camera.robots")) << "it has no camera";
+    for (auto& [name, text] : files)
+        if (text.find("\"mrose robot\"") != std::string::npos)
+            text += "\n[[sensor]]\nkind = \"camera\"\nname = \"camera\"\n";
+    const auto more = attention(", reads = [\"robots\", \"camera\"]");
+    ASSERT_TRUE(more) << more.error().message();
+    EXPECT_TRUE(more->reads("camera.robots") && more->reads("camera.objects"));
+    EXPECT_NE(attention(", reads = [\"" + std::string(40, 'x') + "\"]").error().message().find("controller.reads"),
+              std::string::npos);
+}
+
 /// As mrose predict and compare read them.
 TEST(LogExcerpt, WheelCommandsAreReadByTheGeometryThatTheNetworkLearned) {
     const TemporaryFolder folder;

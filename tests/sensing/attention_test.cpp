@@ -102,6 +102,8 @@ TEST(Attention, ControllerThatLooksMayTakeOverAtAnyTime) {
 
 TEST(Attention, PlayersOfCommandsReadNothingOfOthers) {
     EXPECT_EQ(CommandPlayer({}).attention(), Attention::ofItself());
+    const Attention reads = Attention::only({"camera.robots"});
+    EXPECT_EQ(CommandPlayer({}, reads).attention(), reads) << "but what they are asked to";
 }
 
 }  // namespace
