@@ -5,16 +5,24 @@
 #include <span>
 #include <utility>
 
+#include "debug/sensor_looks.h"
 #include "recording/tick_decisions.h"
 
 namespace mrose {
 namespace {
 
-/// So many ticks before it, every robot has decided once, and kicks that are still shown have happened.
-std::int64_t ticksToLookBack(const Scene& scene) {
+/// So many ticks before it, every robot has decided once, and kicks and readings that are still shown have happened.
+std::int64_t ticksToLookBack(const Scenario& scenario) {
+    const Scene& scene = scenario.scene();
     std::int64_t most = scene.ticksOf(kickShown);
-    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) most = std::max(most, scene.periodTicks(robot));
-    return most + 1;
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
+        most = std::max(most, scene.periodTicks(robot));
+        const auto sensors = scenario.sensors(robot);
+        for (std::size_t k = 0; k < sensors.size(); ++k)
+            if (scenario.wanted(robot, k) != 0)
+                most = std::max(most, scene.ticksOf(lookShown(scenario, robot, *sensors[k]) - sensors[k]->latency()));
+    }
+    return most + 2;
 }
 
 History historyOf(const OpenedRun& run) {
@@ -141,7 +149,7 @@ Expected<Cursor> BranchTree::cursorAt(std::uint32_t branch, std::int64_t tick) c
     tick = std::clamp(tick, (*this)[branch].timeline.first(), last(branch));
     Cursor cursor(branch, {});
     // From a little earlier, so that what robots saw and decided is known.
-    const std::int64_t from = tick - ticksToLookBack(record(branch).setup().scene());
+    const std::int64_t from = tick - ticksToLookBack(*record(branch).setup().scenario);
     if (auto walked = walk(cursor, branch, from, tick); !walked) return tl::unexpected(walked.error());
     return cursor;
 }

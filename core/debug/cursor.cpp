@@ -52,6 +52,7 @@ void Cursor::noteInsightsAtStart(const BranchRecord& record) {
         if (known.tick != atStart.insight.tick || known.tick != tick() - 1 || known.observed) continue;
         known.observed = atStart.insight.observed;
         known.observation = atStart.insight.observation;
+        known.seenBefore = atStart.insight.seenBefore;
         known.memoryBefore = atStart.insight.memoryBefore;
         known.decision.annotations = atStart.insight.decision.annotations;
     }

@@ -19,6 +19,12 @@ struct Ghost {
     Trails trails;                             ///< since the branches separated; may be empty
 };
 
+/// Where all bodies were at an instant before.
+struct PosesThen {
+    Nanoseconds time = 0;
+    std::vector<Pose> bodies;  ///< robots first, then objects
+};
+
 /// All that is known of the shown tick: what view, inspector and plots draw. A value; `scenario` is constant.
 struct FieldFrame {
     std::shared_ptr<const Scenario> scenario;
@@ -31,6 +37,7 @@ struct FieldFrame {
     Nanoseconds predictedStep = 0;             ///< between those
     std::vector<Ghost> ghosts;
     std::vector<std::uint32_t> failed;       ///< robots whose controllers have failed up to here
+    std::vector<PosesThen> measured;         ///< when what sensors reported last was measured, where that is known
     std::shared_ptr<const Reality> reality;  ///< what the real robots did at that time; may be null
 
     const Scene& scene() const { return scenario->scene(); }

@@ -1,6 +1,8 @@
 #include "debug/run_frame.h"
 
 #include <algorithm>
+#include <optional>
+#include <set>
 
 namespace mrose {
 namespace {
@@ -57,6 +59,38 @@ std::vector<Ghost> ghostsOf(const TimeTravel& run, const Cursor& at, std::size_t
     return ghosts;
 }
 
+/// Between two ticks evenly; nullopt where it is forgotten where bodies were, or there were others.
+std::optional<std::vector<Pose>> posesAt(const BranchTree& branches, const Cursor& at, Nanoseconds time) {
+    const Scene& scene = scenarioOf(branches, at.branch())->scene();
+    // Before the start all stood where it starts.
+    const std::int64_t first = branches.first(at.branch());
+    const Nanoseconds since = std::max<Nanoseconds>(0, time - scene.timeOf(first));
+    const std::int64_t tick = first + since / scene.tickLength;
+    auto poses = branches.posesAt(at.branch(), tick);
+    if (!poses || poses->size() != scene.bodyCount()) return std::nullopt;
+    const double share = static_cast<double>(since % scene.tickLength) / static_cast<double>(scene.tickLength);
+    if (share == 0 || tick >= at.tick()) return poses;
+    const auto next = branches.posesAt(at.branch(), tick + 1);
+    if (!next || next->size() != poses->size()) return poses;
+    for (std::size_t body = 0; body < poses->size(); ++body) {
+        Pose& pose = (*poses)[body];
+        const Pose& then = (*next)[body];
+        pose = {pose.x + share * (then.x - pose.x), pose.y + share * (then.y - pose.y),
+                pose.heading + share * wrapAngle(then.heading - pose.heading)};
+    }
+    return poses;
+}
+
+/// Where bodies were when what robots were given last was measured.
+void addMeasured(const BranchTree& branches, const Cursor& at, FieldFrame& frame) {
+    std::set<Nanoseconds> times;
+    for (std::size_t robot = 0; robot < frame.insights.size(); ++robot)
+        for (const SeenBodiesView& seen : newestSeen(*frame.scenario, robot, frame.insights[robot]))
+            times.insert(seen.measured);
+    for (const Nanoseconds time : times)
+        if (auto poses = posesAt(branches, at, time)) frame.measured.push_back({time, std::move(*poses)});
+}
+
 }  // namespace
 
 FieldFrame frameOf(const TimeTravel& run, const FrameOptions& options) { return frameOf(run, run.cursor(), options); }
@@ -81,6 +115,7 @@ FieldFrame frameOf(const TimeTravel& run, const Cursor& at, const FrameOptions& 
         frame.predicted = predictedPaths(*scenario, at, options.ahead);
         frame.predictedStep = predictedEvery * frame.scene().tickLength;
     }
+    addMeasured(branches, at, frame);
     if (options.ghosts) frame.ghosts = ghostsOf(run, at, options.trailTicks);
     return frame;
 }

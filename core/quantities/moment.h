@@ -11,6 +11,13 @@
 
 namespace mrose {
 
+/// A reading of bodies out of an observation.
+struct SeenBodies {
+    ReadingName reading;  ///< "camera.robots"
+    Nanoseconds measured = 0;
+    std::vector<SeenBody> bodies;
+};
+
 /// What a robot saw, decided and was predicted to do at its last control instant: it holds until the next.
 struct RobotInsight {
     std::int64_t tick = -1;  ///< of the state in which it decided; -1: never yet
@@ -19,7 +26,18 @@ struct RobotInsight {
     Decision decision;
     MotionStep predicted;
     std::vector<std::byte> memoryBefore;  ///< its controller's, before it decided
+    /// What sensors with clocks of their own reported last, where that was in an observation before this one.
+    std::vector<SeenBodies> seenBefore = {};
 };
+
+/// The same where it lies.
+struct SeenBodiesView {
+    ReadingName reading;
+    Nanoseconds measured = 0;
+    std::span<const SeenBody> bodies;
+};
+/// The newest readings of bodies that a robot has been given, in the order of its sensors; valid as long as `insight`.
+std::vector<SeenBodiesView> newestSeen(const Scenario& scenario, std::size_t robot, const RobotInsight& insight);
 
 /// Takes over what robots saw and decided in the tick that led to `tick`. `memoryBefore` is WorldState::memory before
 /// that.
