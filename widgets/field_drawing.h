@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "debug/field_frame.h"
+#include "debug/sensor_looks.h"
 #include "widgets/field_canvas.h"
 #include "widgets/field_layers.h"
 #include "widgets/label_placer.h"
@@ -70,6 +71,27 @@ void drawGrid(const FieldCanvas& canvas);
 /// nowhere, or everywhere.
 std::vector<const BodySight*> sightsOf(const RobotType& type);
 void drawSensors(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// What the sensors of a robot reported last.
+struct RobotLooks {
+    std::size_t robot = 0;
+    std::vector<SensorLook> simulated, real;
+};
+/// Of all robots where that layer is shown, but only of the selected one where they are too many; without the layer of
+/// the selected one beside a real log, if what is real is shown.
+std::vector<RobotLooks> shownLooks(const FieldFrame& frame, const FieldLayers& layers, const FieldFocus& focus);
+/// From where a sensor was to what it reported: dashed of real robots.
+void drawRays(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+              const std::vector<RobotLooks>& looks);
+/// What was reported, filled of simulated robots and hollow of real ones, with a line to where that truly was.
+void drawReadings(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                  const std::vector<RobotLooks>& looks);
+/// Of the marks at a place in pixels, a line each; empty: there are none.
+QString readingReadout(const ViewTransform& view, const FieldFrame& frame, const std::vector<RobotLooks>& looks,
+                       const QPointF& pixels);
+/// A mark of them.
+constexpr double readingRadius = 3.4;  // pixels
+void drawReadingMark(const FieldCanvas& canvas, const QPointF& at, const QColor& colour, bool real,
+                     double radius = readingRadius);
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawPredicted(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);

@@ -13,6 +13,7 @@ enum class FieldLayer {
     trails,
     targets,
     sensors,
+    readings,
     contacts,
     predicted,
     beliefs,
@@ -38,6 +39,10 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
     {FieldLayer::targets, "layer_notes", "Controllers' notes", "O", "Goals, lines and points that controllers annotate",
      true},
     {FieldLayer::sensors, "layer_sensors", "Sensor fields", "V", "How wide and far robots see", false},
+    {FieldLayer::readings, "layer_readings", "Readings", "A",
+     "What sensors reported last, from where they were: of all robots; without it of the selected one beside a real "
+     "log",
+     false},
     {FieldLayer::contacts, "layer_contacts", "Contacts", "C", "Where bodies press on one another, and how hard", true},
     {FieldLayer::predicted, "layer_predicted", "Predicted paths", "P", "The next seconds, if all go on as commanded",
      true},

@@ -17,7 +17,12 @@ constexpr double mostLegendRow = 20, leastLegendRow = 14, mostLegendShare = 0.6;
 /// So much later it is another moment, and not the same run going on.
 constexpr Nanoseconds anotherMoment = 5 * nanosecondsPerSecond;
 
-bool draws(const FieldFrame& frame, FieldLayer layer, const FieldFocus& focus) {
+/// Readings are drawn without their layer, too.
+bool isShown(const FieldLayers& layers, FieldLayer layer) {
+    return layers.has(layer) || (layer == FieldLayer::readings && layers.has(FieldLayer::reality));
+}
+
+bool draws(const FieldFrame& frame, const FieldLayers& layers, FieldLayer layer, const FieldFocus& focus) {
     const auto any = [](const auto& all, auto is) { return std::any_of(all.begin(), all.end(), is); };
     switch (layer) {
         case FieldLayer::headings:
@@ -36,6 +41,11 @@ bool draws(const FieldFrame& frame, FieldLayer layer, const FieldFocus& focus) {
             for (std::size_t robot = 0; robot < frame.state.robots.size(); ++robot)
                 if (!sightsOf(frame.scene().typeOf(robot)).empty()) return true;
             return false;
+        case FieldLayer::readings:
+            return any(shownLooks(frame, layers, focus), [&](const RobotLooks& of) {
+                const auto reports = [](const SensorLook& look) { return look.eye && !look.subjects.empty(); };
+                return any(of.simulated, reports) || any(of.real, reports);
+            });
         case FieldLayer::contacts:
             return !frame.lastTick.contacts.empty();
         case FieldLayer::predicted:
@@ -147,7 +157,7 @@ void FieldLegend::arrange(const FieldCanvas& canvas, const FieldFrame& frame, co
     tick_ = frame.state.tick;
     if (another) drawn_.reset();
     for (std::size_t i = 0; i < drawn_.size(); ++i)
-        if (const auto layer = static_cast<FieldLayer>(i); layers.has(layer) && draws(frame, layer, focus))
+        if (const auto layer = static_cast<FieldLayer>(i); isShown(layers, layer) && draws(frame, layers, layer, focus))
             drawn_.set(i);
     const LegendGrid grid(canvas, legendRows(frame, *this));
     box_ = {};

@@ -40,10 +40,13 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     if (layers_.has(FieldLayer::trails)) drawTrails(canvas_, frame, focus);
     if (layers_.has(FieldLayer::ghosts)) drawGhosts(canvas_, frame);
     if (layers_.has(FieldLayer::predicted)) drawPredicted(canvas_, frame, focus);
+    const std::vector<RobotLooks> looks = shownLooks(frame, layers_, focus);
+    drawRays(canvas_, frame, focus, looks);
     drawBodies(canvas_, frame, layers_.has(FieldLayer::headings));
     if (models) drawModelRobots(canvas_, frame, layers_.has(FieldLayer::headings));
     if (real) drawRealRobots(canvas_, frame, layers_.has(FieldLayer::headings));
     drawFocus(canvas_, frame, focus);
+    drawReadings(canvas_, frame, focus, looks);
     if (layers_.has(FieldLayer::names)) addNames(canvas_, frame, focus, labels);
     if (real && layers_.has(FieldLayer::names)) addRealNames(canvas_, frame, focus, labels);
     if (layers_.has(FieldLayer::beliefs)) drawBeliefs(canvas_, frame, focus);

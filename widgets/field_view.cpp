@@ -259,6 +259,7 @@ QString FieldView::readoutAt(const QPointF& pixels) const {
     if (body) parts += bodyReadout(*frame_, *body);
     if (layers_.has(FieldLayer::reality)) parts += realReadout(*frame_, body, transform().toMetres(pixels));
     if (body && layers_.has(FieldLayer::models)) parts += modelReadout(*frame_, *body);
+    parts += readingReadout(transform(), *frame_, shownLooks(*frame_, layers_, focus_), pixels);
     parts += signs;
     parts.removeAll({});
     return parts.join('\n');

@@ -276,6 +276,10 @@ void Inspector::write(QTreeWidgetItem* item, const InspectorRow& row) {
         digits.setPointSizeF(tree_->font().pointSizeF() - 0.5);
         item->setFont(0, digits);
     }
+    if (!row.cells.isEmpty()) {
+        item->setFirstColumnSpanned(true);
+        item->setData(Delegate::nameColumn, Delegate::cellsRole, row.cells);
+    }
     item->setText(Delegate::valueColumn, row.value);
     item->setData(Delegate::valueColumn, Delegate::unitRole, row.unit);
     item->setToolTip(Delegate::nameColumn, row.wide            ? row.tip

@@ -65,7 +65,8 @@ void InspectorDelegate::initStyleOption(QStyleOptionViewItem* option, const QMod
 }
 
 void InspectorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    if (index.column() == nameColumn) {
+    const bool cells = !index.data(cellsRole).toStringList().isEmpty();
+    if (index.column() == nameColumn && !cells) {
         QStyledItemDelegate::paint(painter, option, index);
         return;
     }
@@ -74,7 +75,9 @@ void InspectorDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
     bare.text.clear();
     QApplication::style()->drawControl(QStyle::CE_ItemViewItem, &bare, painter, bare.widget);
     painter->save();
-    if (index.column() == valueColumn)
+    if (cells)
+        paintCells(*painter, bare, index);
+    else if (index.column() == valueColumn)
         paintValue(*painter, bare, index);
     else
         paintMark(*painter, option.rect, index);
@@ -103,6 +106,29 @@ void InspectorDelegate::paintValue(QPainter& painter, const QStyleOptionViewItem
     if (!selected) painter.setPen(theme_.quietText);
     painter.drawText(QRect(box.right() - unitWidth + 5, box.top(), unitWidth, box.height()),
                      Qt::AlignLeft | Qt::AlignVCenter, unit);
+}
+
+/// Columns of equal width at the right end; a word that is wider goes on into the empty one before.
+void InspectorDelegate::paintCells(QPainter& painter, const QStyleOptionViewItem& option,
+                                   const QModelIndex& index) const {
+    const QStringList cells = index.data(cellsRole).toStringList();
+    const int width = option.fontMetrics.horizontalAdvance("-000.0") + 5;
+    const QRect box = option.rect.adjusted(3, 0, -4, 0);
+    const bool selected = option.state.testFlag(QStyle::State_Selected);
+    const QColor name = index.data(Qt::ForegroundRole).value<QBrush>().color();
+    painter.setFont(option.font);
+    painter.setPen(selected ? option.palette.color(QPalette::HighlightedText) : name);
+    const int room = box.width() - static_cast<int>(cells.size()) * width;
+    painter.drawText(QRect(box.left(), box.top(), room, box.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, room));
+    for (int i = 0; i < cells.size(); ++i) {
+        bool number = false;
+        cells[i].toDouble(&number);
+        if (!selected) painter.setPen(number ? theme_.text : theme_.quietText);
+        const int right = box.right() - (static_cast<int>(cells.size()) - 1 - i) * width;
+        painter.drawText(QRect(right - 2 * width, box.top(), 2 * width, box.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, cells[i]);
+    }
 }
 
 /// A small curve.

@@ -14,7 +14,7 @@ class InspectorDelegate final : public QStyledItemDelegate {
 
 public:
     enum Column { nameColumn, valueColumn, plotColumn };
-    enum Role { unitRole = Qt::UserRole, keyRole, pathRole, plottableRole, plottedRole, headRole };
+    enum Role { unitRole = Qt::UserRole, keyRole, pathRole, plottableRole, plottedRole, headRole, cellsRole };
 
     static constexpr int markWidth = 24;
 
@@ -34,6 +34,7 @@ private:
     bool takesTwoLines(const QFontMetrics& metrics, int columnWidth, const QModelIndex& index) const;
     bool nameTakesTwoLines(const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintValue(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
+    void paintCells(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintMark(QPainter& painter, const QRect& box, const QModelIndex& index) const;
 
     Theme theme_ = Theme::light();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -21,6 +22,7 @@ struct InspectorRow {
     bool quiet = false;            ///< nothing there just now
     bool open = false;             ///< shows its children at first
     bool wide = false;             ///< name and value are one text, in digits of equal width
+    QStringList cells = {};        ///< beside the name instead of a value: columns of a table, flush right
     std::vector<InspectorRow> children = {};
 };
 
@@ -54,5 +56,7 @@ public:
 InspectorRow controllerRows(const RowWriter& write);
 InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen);
 InspectorRow perceptionRows(const RowWriter& write);
+/// Of sensors beyond those that every robot has, beside the real robot's; nullopt: there are none.
+std::optional<InspectorRow> readingRows(const RowWriter& write);
 
 }  // namespace mrose

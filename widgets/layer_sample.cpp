@@ -1,6 +1,6 @@
 #include "widgets/layer_sample.h"
 
-#include "widgets/field_canvas.h"
+#include "widgets/field_drawing.h"
 
 namespace mrose {
 namespace {
@@ -51,6 +51,20 @@ void drawRealSample(const FieldCanvas& canvas, const QRectF& box, const QColor& 
     drawRing(canvas, box, colour, 2);
 }
 
+/// A simulated reading, and below it a real one, of one sensor.
+void drawReadingSample(const FieldCanvas& canvas, const QRectF& box, const QColor& colour) {
+    constexpr double apart = 3.8, radius = 2.4;
+    const QPointF eye(box.left() + inset, box.center().y());
+    for (const bool real : {false, true}) {
+        QPen pen = roundPen(colour, 1.1, real ? Qt::CustomDashLine : Qt::SolidLine);
+        if (real) pen.setDashPattern({3, 2.5});
+        canvas.painter.setPen(pen);
+        const QPointF to(box.right() - inset - radius, eye.y() + (real ? apart : -apart));
+        canvas.painter.drawLine(eye, to);
+        drawReadingMark(canvas, to, colour, real, radius);
+    }
+}
+
 /// A field of view from the left end of the box to the right one.
 void drawSector(QPainter& painter, const QRectF& box) {
     constexpr double half = 16;  // degrees
@@ -96,6 +110,9 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
             painter.setPen(Qt::NoPen);
             painter.setBrush(withAlpha(colour, 110));
             drawSector(painter, box);
+            break;
+        case FieldLayer::readings:
+            drawReadingSample(canvas, box, colour);
             break;
         case FieldLayer::contacts:
             canvas.arrow(box.center(), across(box).front(), theme.contact, 3);

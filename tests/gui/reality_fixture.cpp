@@ -1,5 +1,7 @@
 #include "gui/reality_fixture.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "behaviour/command_player.h"
@@ -11,7 +13,7 @@ namespace mrose::gui {
 namespace {
 
 /// A scenario whose robots play all of a log's.
-ScenarioParts playersOn(const Log& log, double gain) {
+ScenarioParts playersOn(const Log& log, double gain, const std::vector<SensorPointer>& sensors) {
     ScenarioParts parts;
     parts.name = "overlaid";
     Scene& scene = parts.scene;
@@ -22,7 +24,11 @@ ScenarioParts playersOn(const Log& log, double gain) {
     disc.colour = bodyColour;
     RobotType type = discRobot(0.3);
     type.shape = std::make_shared<const Shape>(Shape::fromParts("disc", {disc}));
+    type.sensors = sensors;
     scene.robotTypes = {type};
+    Attention reads = Attention::ofItself();
+    for (const SensorPointer& sensor : sensors)
+        for (const ReadingKind& kind : sensor->gives()) reads.names.push_back(kind.name);
     KinematicParameters motion;
     motion.v.gain = gain;
     scene.models = {std::make_shared<const KinematicModel>(motion)};
@@ -30,7 +36,7 @@ ScenarioParts playersOn(const Log& log, double gain) {
         SceneRobot robot;
         robot.name = "sim " + log.robots[i].robot;
         scene.robots.push_back(robot);
-        parts.controllers.push_back(std::make_shared<CommandPlayer>(std::vector<StampedCommand>()));
+        parts.controllers.push_back(std::make_shared<CommandPlayer>(std::vector<StampedCommand>(), reads));
         parts.players.push_back({i, {log.source, log.source, log.robots[i].robot, "", 0}});
     }
     return parts;
@@ -59,8 +65,33 @@ std::shared_ptr<const Log> logOfDrives(const std::vector<RealDrive>& drives, dou
     return log;
 }
 
-OpenedRun overlaidRun(std::shared_ptr<const Log> log, double start, double duration, double gain) {
-    const auto world = LogWorld::create(playersOn(*log, gain), log);
+void addLooks(Log& log, const std::vector<RealDrive>& drives, const std::vector<Point>& landmarks, Nanoseconds period,
+              double off) {
+    for (const RealDrive& drive : drives)
+        log.subjects.push_back({"robot " + drive.robot, LogSubject::Kind::robot, drive.robot, {}});
+    for (std::size_t i = 0; i < landmarks.size(); ++i)
+        log.subjects.push_back({std::to_string(i + 1), LogSubject::Kind::landmark, "", landmarks[i]});
+    for (std::size_t robot = 0; robot < drives.size(); ++robot) {
+        Trajectory& trajectory = log.robots[robot].trajectories[0];
+        SensorLog camera{"camera"};
+        for (Nanoseconds t = 0; t <= trajectory.poses.back().time; t += period) {
+            Look& look = camera.looks.emplace_back(Look{t, {}});
+            const Pose eye = drives[robot].poseAt(toSeconds(t));
+            for (std::size_t subject = 0; subject < log.subjects.size(); ++subject) {
+                if (subject == robot) continue;
+                const Point at = subject < drives.size() ? position(drives[subject].poseAt(toSeconds(t)))
+                                                         : *log.subjects[subject].position;
+                const Point to = Placement(eye).rotateBack(at - position(eye));
+                look.readings.push_back({subject, length(to) + off, std::atan2(to.y, to.x)});
+            }
+        }
+        trajectory.sensors = {std::move(camera)};
+    }
+}
+
+OpenedRun overlaidRun(std::shared_ptr<const Log> log, double start, double duration, double gain,
+                      const std::vector<SensorPointer>& sensors) {
+    const auto world = LogWorld::create(playersOn(*log, gain, sensors), log);
     if (!world) {
         ADD_FAILURE() << world.error().message();
         return {};
