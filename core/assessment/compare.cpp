@@ -21,6 +21,7 @@ constexpr int stepsBefore = 2;  // as the referee's windows, a start needs truth
 /// One rollout of all robots.
 struct Driven {
     std::vector<ComparedRollout> robots;
+    std::vector<LookStreams> looks;  ///< by pair of sensors
     std::int64_t touches = 0, faults = 0;
     std::string firstFault;
 };
@@ -77,7 +78,8 @@ ComparedRollout realRollout(const LogWorld& world, const RolloutRequest& request
 }
 
 /// Steps the opened world through the rollout.
-void simulate(LogWorld::Opened& opened, const RolloutRequest& request, Nanoseconds step, Driven& driven) {
+void simulate(LogWorld::Opened& opened, const RolloutRequest& request, Nanoseconds step, RolloutReadings& readings,
+              Driven& driven) {
     const Scenario& scenario = *opened.scenario;
     const Nanoseconds tick = scenario.scene().tickLength;
     StepBuffers buffers;
@@ -85,6 +87,7 @@ void simulate(LogWorld::Opened& opened, const RolloutRequest& request, Nanosecon
     TouchCounter counter(tick);
     for (int k = 0; k < request.steps; ++k) {
         for (Nanoseconds passed = 0; passed < step; passed += tick) {
+            readings.observeBefore(opened.state);
             mrose::step(scenario, opened.state, buffers, {}, &trace);
             const auto begun = counter.add(trace);
             driven.touches += static_cast<std::int64_t>(begun.size());
@@ -107,14 +110,17 @@ void simulate(LogWorld::Opened& opened, const RolloutRequest& request, Nanosecon
     }
 }
 
-Driven drive(const LogWorld& world, const RolloutRequest& request, const ComparisonOptions& options) {
+Driven drive(const LogWorld& world, const RolloutRequest& request, std::span<const SensorPair> sensors,
+             const ComparisonOptions& options) {
     const Nanoseconds step = options.windows.step;
     LogWorld::Opened opened = world.openAt(request.session, request.start, request.steps * step, options.seed);
     Driven driven;
     for (std::size_t robot = 0; robot < world.robots().size(); ++robot)
         if (!request.robot || *request.robot == robot)
             driven.robots.push_back(realRollout(world, request, robot, opened.starts[robot], options.windows));
-    simulate(opened, request, step, driven);
+    RolloutReadings readings(world, opened, request, request.steps * step, sensors, options.seed);
+    simulate(opened, request, step, readings, driven);
+    driven.looks = readings.looks();
     for (ComparedRollout& rollout : driven.robots) rollout.errors = windowErrors(rollout.real.truth, rollout.simulated);
     return driven;
 }
@@ -145,6 +151,29 @@ ComparedSummary summarised(const Comparison& comparison, Belongs belongs) {
         if (belongs(comparison.rollouts[comparison.counted[i]])) chosen.push_back(i);
     summary.counted = summarise(comparison.log.windows, comparison.simulation.errors, chosen, comparison.log.options);
     return summary;
+}
+
+/// One after the other, of all rollouts.
+void append(std::vector<SensedLook>& all, std::vector<SensedLook>&& looks, std::size_t request) {
+    for (SensedLook& look : looks) {
+        look.request = request;
+        all.push_back(std::move(look));
+    }
+}
+
+std::vector<ComparedSensor> comparedSensors(std::span<const SensorPair> sensors, std::vector<Driven>& driven,
+                                            std::span<const RolloutRequest> requests) {
+    std::vector<ComparedSensor> compared;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        LookStreams all;
+        for (std::size_t request = 0; request < driven.size(); ++request) {
+            LookStreams& looks = driven[request].looks[i];
+            append(all.real, std::move(looks.real), request);
+            append(all.simulated, std::move(looks.simulated), request);
+        }
+        compared.push_back(compareStreams(sensors[i], std::move(all), requests));
+    }
+    return compared;
 }
 
 void summariseAll(const LogWorld& world, const WindowOptions& options, Comparison& comparison) {
@@ -190,11 +219,13 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const RolloutReque
                     "is " + secondsText(tick) + "; expected one that divides " + secondsText(step) +
                         " s, the step of the comparison",
                     0, "tick_s");
+    const std::vector<SensorPair> sensors = options.readings ? sensorPairs(world) : std::vector<SensorPair>();
     std::vector<Driven> driven(requests.size());
     const std::size_t part = options.progress ? reportedRollouts : std::max<std::size_t>(1, requests.size());
     for (std::size_t from = 0; from < requests.size(); from += part) {
         const std::size_t to = std::min(requests.size(), from + part);
-        parallelFor(to - from, [&](std::size_t i) { driven[from + i] = drive(world, requests[from + i], options); });
+        parallelFor(to - from,
+                    [&](std::size_t i) { driven[from + i] = drive(world, requests[from + i], sensors, options); });
         for (std::size_t i = from; i < to; ++i)
             for (ComparedRollout& rollout : driven[i].robots) rollout.request = i;
         if (options.progress && !reportProgress({driven.data() + from, to - from}, to, requests.size(), options))
@@ -217,6 +248,8 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const RolloutReque
         return fail(world.log().source,
                     "has no ground truth of any compared robot where a rollout starts; expected another start");
     summariseAll(world, options.windows, comparison);
+    for (const LogSubject& subject : world.log().subjects) comparison.subjects.push_back(subject.name);
+    comparison.sensors = comparedSensors(sensors, driven, requests);
     return comparison;
 }
 

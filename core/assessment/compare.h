@@ -11,6 +11,7 @@
 #include "assessment/assess.h"
 #include "assessment/log_world.h"
 #include "assessment/rollout_requests.h"
+#include "assessment/stream_comparison.h"
 
 namespace mrose {
 
@@ -52,6 +53,7 @@ struct ComparedSummary {
 
 struct ComparisonOptions {
     std::uint64_t seed = 1;
+    bool readings = false;    ///< what sensors report is compared too
     WindowOptions windows{};  ///< `step` and what is too little motion; rollouts have their own lengths
     /// Called in the caller's thread, part by part, with the rollouts that are done and the share of them. False: it is
     /// to end. Empty: progress is not reported.
@@ -68,11 +70,13 @@ struct Comparison {
     std::vector<ComparedRollout> rollouts;   ///< by request, then by robot
     std::vector<ComparedSummary> summaries;  ///< by robot
     ComparedSummary all;
-    LogWindows log;                    ///< the rollouts that count, as windows of the log
-    Assessment simulation;             ///< of these
-    std::vector<std::size_t> counted;  ///< log.windows[i] is of rollouts[counted[i]]
-    std::int64_t touches = 0;          ///< pairs of bodies that began to touch, those that are not compared too
-    std::int64_t faults = 0;           ///< of controllers and models
+    LogWindows log;                       ///< the rollouts that count, as windows of the log
+    Assessment simulation;                ///< of these
+    std::vector<std::size_t> counted;     ///< log.windows[i] is of rollouts[counted[i]]
+    std::vector<std::string> subjects;    ///< of the log, by name
+    std::vector<ComparedSensor> sensors;  ///< where readings were asked for: what log and robots have both
+    std::int64_t touches = 0;             ///< pairs of bodies that began to touch, those that are not compared too
+    std::int64_t faults = 0;              ///< of controllers and models
     std::string firstFault;
 };
 
