@@ -2,6 +2,7 @@
 
 #include "common.h"
 #include "compare_divergence.h"
+#include "compare_sensors.h"
 #include "io/format.h"
 #include "plugins.h"
 #include "report/comparison_files.h"
@@ -41,6 +42,7 @@ void printComparison(const LogComparison& compared) {
         "path,\nHd: time-mean heading error over rotation, summed over these windows. final: median errors at the end "
         "of the\nrollouts. touches: how often the simulated robot began to touch something.");
     printDivergences(comparison, compared.divergences);
+    printSensors(comparison);
     std::vector<std::string> notes = compared.context.notices;
     for (std::string& remark : remarksOn(comparison)) notes.push_back(std::move(remark));
     if (!notes.empty()) std::puts("");
@@ -139,7 +141,10 @@ Subcommand addCompare(CLI::App& app, CommonFlags& common) {
                     "--duration, as mrose evaluate cuts the log")
         ->excludes(start)
         ->excludes(every);
-    sub->add_option("--report", flags->folder, "Folder for report.html, errors.csv, rollouts.csv and results.json")
+    sub->add_option(
+           "--report", flags->folder,
+           "Folder for report.html, errors.csv, rollouts.csv, results.json and, where log and robots have a sensor "
+           "of one name, readings.csv")
         ->check(someName());
     addDivergenceFlags(*sub, flags->what.divergence);
     addPluginFlags(*sub, flags->what.plugins);

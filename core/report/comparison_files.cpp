@@ -1,9 +1,12 @@
 #include "report/comparison_files.h"
 
+#include <algorithm>
+
 #include "assessment/prediction_files.h"
 #include "io/format.h"
 #include "report/page.h"
 #include "report/results_json.h"
+#include "report/stream_json.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
@@ -92,6 +95,30 @@ Json json(const Comparison& comparison, const ComparedDivergences& divergences) 
     return result;
 }
 
+/// Which of the rollouts a look is of.
+const ComparedRollout& rolloutOf(const Comparison& comparison, const SensedLook& look) {
+    const auto first = std::ranges::lower_bound(comparison.rollouts, look.request, {}, &ComparedRollout::request);
+    return *std::find_if(first, comparison.rollouts.end(),
+                         [&](const ComparedRollout& rollout) { return rollout.robot == look.robot; });
+}
+
+void addLook(const Comparison& comparison, const std::string& sensor, const char* stream, const SensedLook& look,
+             std::string& text) {
+    const std::string begin = cat(std::to_string(look.request + 1), ",", keyOf(comparison, rolloutOf(comparison, look)),
+                                  ",", csvCell(sensor), ",", stream, ",", secondsText(look.time), ",");
+    const std::string end = "," + csvCell(comparison.robots[look.robot].name) + "\n";
+    if (look.subjects.empty()) text += begin + ",,,,,," + end;
+    for (const SensedSubject& subject : look.subjects) {
+        text += cat(begin, csvCell(comparison.subjects[subject.subject]), subject.inView ? ",1," : ",0,",
+                    fixed(subject.range, 5), ",", fixed(subject.bearing, 6), subject.reported ? ",1," : ",0,");
+        if (subject.reported)
+            text += cat(fixed(subject.reportedRange(), 5), ",", fixed(subject.reportedBearing(), 6));
+        else
+            text += ",";
+        text += end;
+    }
+}
+
 /// Empty where it does not diverge, or where the cause was not looked for.
 std::string divergenceCells(const RolloutDivergence* diverging) {
     if (diverging == nullptr) return ",,";
@@ -122,8 +149,20 @@ std::string comparisonJson(const Comparison& comparison, const std::vector<std::
                 {"touches", comparison.touches},
                 {"faults", comparison.faults},
                 {"first_fault", comparison.firstFault}};
+    if (!comparison.sensors.empty()) result["sensors"] = streamsJson(comparison);
     if (divergences != nullptr) result["divergence"] = json(comparison, *divergences);
     return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string readingsCsv(const Comparison& comparison) {
+    std::string text =
+        "rollout,dataset,robot,t_start,sensor,stream,t,subject,in_view,true_range_m,true_bearing_rad,reported,range_m,"
+        "bearing_rad,simulated\n";
+    for (const ComparedSensor& sensor : comparison.sensors)
+        for (const auto& [stream, looks] :
+             {std::pair("real", &sensor.looks.real), std::pair("simulated", &sensor.looks.simulated)})
+            for (const SensedLook& look : *looks) addLook(comparison, sensor.name, stream, look, text);
+    return text;
 }
 
 std::string errorsCsv(const Comparison& comparison) {

@@ -8,12 +8,13 @@
 #include "report/divergence_section.h"
 #include "report/error_figures.h"
 #include "report/path_figures.h"
+#include "report/stream_section.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
 
-constexpr const char* comparisonFiles[] = {"errors.csv", "rollouts.csv", "results.json", "report.html"};
+constexpr const char* comparisonFiles[] = {"errors.csv", "rollouts.csv", "results.json", "report.html", "readings.csv"};
 constexpr std::size_t listedRollouts = 12, shownRobots = 8;
 
 std::string startText(const Comparison& comparison, const ComparedRollout& rollout) {
@@ -292,8 +293,8 @@ std::string comparisonHtml(const Comparison& comparison, const Scene& scene, con
             figurePair(errorOverTimeFigure(comparison, ErrorChannel::position, divergences),
                        errorOverTimeFigure(comparison, ErrorChannel::heading, divergences)),
             divergences == nullptr ? "" : divergenceSection(comparison, *divergences),
-            pictures(comparison, scene.environment, divergences), heading("What the words mean"),
-            definitions(comparison), provenance(comparison, context));
+            pictures(comparison, scene.environment, divergences), streamSection(comparison),
+            heading("What the words mean"), definitions(comparison), provenance(comparison, context));
     return reportPage(cat(escaped(comparison.scenario), " beside ", escaped(comparison.log.source)), body);
 }
 
@@ -303,10 +304,12 @@ Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool o
 
 Expected<void> writeComparison(const Comparison& comparison, const Scene& scene, const ReportContext& context,
                                const std::filesystem::path& folder, const ComparedDivergences* divergences) {
-    return writeReportFiles(folder, {{comparisonFiles[0], errorsCsv(comparison)},
-                                     {comparisonFiles[1], rolloutsCsv(comparison, divergences)},
-                                     {comparisonFiles[2], comparisonJson(comparison, context.notices, divergences)},
-                                     {comparisonFiles[3], comparisonHtml(comparison, scene, context, divergences)}});
+    std::vector<NamedFile> files{{comparisonFiles[0], errorsCsv(comparison)},
+                                 {comparisonFiles[1], rolloutsCsv(comparison, divergences)},
+                                 {comparisonFiles[2], comparisonJson(comparison, context.notices, divergences)},
+                                 {comparisonFiles[3], comparisonHtml(comparison, scene, context, divergences)}};
+    if (!comparison.sensors.empty()) files.push_back({comparisonFiles[4], readingsCsv(comparison)});
+    return writeReportFiles(folder, std::move(files));
 }
 
 }  // namespace mrose

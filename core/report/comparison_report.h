@@ -14,8 +14,8 @@ namespace mrose {
 Expected<void> checkComparisonFolder(const std::filesystem::path& folder, bool overwrite = true);
 
 /// Writes report.html (one file that needs nothing else), errors.csv, rollouts.csv and results.json into `folder`,
-/// which is made where it is missing. Each file appears whole or not at all. `scene` is what the pictures show round
-/// the paths; where they diverge is said where `divergences` is given.
+/// which is made where it is missing, and readings.csv where sensors were compared. Each file appears whole or not at
+/// all. `scene` is what the pictures show round the paths; where they diverge is said where `divergences` is given.
 Expected<void> writeComparison(const Comparison& comparison, const Scene& scene, const ReportContext& context,
                                const std::filesystem::path& folder, const ComparedDivergences* divergences = nullptr);
 

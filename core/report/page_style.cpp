@@ -37,7 +37,7 @@ p { margin: 6px 0 10px; max-width: 86ch; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 460px), 1fr)); gap: 14px; }
 .paths { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 340px), 1fr)); gap: 14px; }
 .paths .soft { font-size: 13.5px; margin: 0 0 4px; line-height: 1.4; }
-.bars + .bars, .pair + .pair { margin-top: 14px; }
+.bars + .bars, .pair + .pair, .pair + .card { margin-top: 14px; }
 .paths + p { margin-top: 16px; } .paths .plot { margin: 0 auto; } .paths table + .soft { margin-top: 10px; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 14.5px; font-variant-numeric: tabular-nums; width: 100%; }
@@ -78,7 +78,7 @@ path.axis { stroke: var(--soft); stroke-width: 1.2; fill: none; }
 .s3 { --c: var(--c3); stroke-dasharray: 10 3 2 3; } .s4 { --c: var(--c4); stroke-dasharray: 14 4; } .s5 { --c: var(--c5); stroke-dasharray: 1 3; }
 .real { --c: var(--real); stroke-width: 6; }
 .thin { stroke-width: 1.4; opacity: .85; }
-.band { fill: var(--c0); stroke: none; opacity: .15; } .band.inner { opacity: .24; }
+.band { fill: var(--c0); stroke: none; opacity: .15; } .band.inner { opacity: .24; } .band.realband { fill: var(--real); opacity: .3; }
 .arrow { stroke: var(--c); fill: var(--c); stroke-width: 1.3; stroke-dasharray: none; } .arrow.real { --c: var(--realarrow); }
 .start { fill: var(--card); stroke: var(--ink); stroke-width: 2; }
 .leaves { fill: var(--card); stroke: var(--c1); stroke-width: 2.6; }

@@ -130,6 +130,7 @@ Expected<LogComparison> compareLog(const CompareRequest& request, const CompareP
     auto played = openWorld(request, options.seed);
     if (!played) return tl::unexpected(played.error());
     const LogWorld& world = played->world;
+    options.readings = true;
     auto suited = suitedWindows(request, world);
     const bool cut = suited.has_value();
     const auto requests =

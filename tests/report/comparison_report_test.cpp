@@ -10,6 +10,7 @@
 #include "io/file.h"
 #include "io/format.h"
 #include "report/comparison_files.h"
+#include "sensing/odometry.h"
 #include "support/markup.h"
 #include "support/temporary_folder.h"
 
@@ -50,6 +51,45 @@ TEST(ComparisonReport, NeedsNothingElseAndShowsEveryRolloutThatIsAsked) {
         EXPECT_EQ(countOf(html, "The worst rollouts"), every ? 1u : 0u);
         EXPECT_NE(html.find("with a gap in the ground truth"), std::string::npos);
     }
+}
+
+/// Looks of 200 s: everything is reported, a little too far.
+LookStreams someLooks() {
+    LookStreams looks;
+    for (int i = 0; i < 100; ++i) {
+        const SensedSubject subject{0, 1 + 0.02 * i, 0.1, true, i % 3 > 0, 0.01 * (i % 7), 0.002 * (i % 5)};
+        looks.real.push_back({0, 0, 2 * i * second, {subject}});
+        looks.simulated.push_back({0, 0, (2 * i + 1) * second, {subject}});
+    }
+    return looks;
+}
+
+TEST(ComparisonReport, SaysWhatSensorsReported) {
+    Compared compared(std::nullopt);
+    EXPECT_EQ(compared.html().find("What the sensor"), std::string::npos);
+    const SensorPair pair{"a <b>", {std::make_shared<const Odometry>(0, 0)}, {4, 1.2, 0}};
+    compared.comparison.subjects = {"6"};
+    compared.comparison.sensors = {compareStreams(pair, someLooks(), compared.comparison.requests),
+                                   compareStreams(pair, {}, compared.comparison.requests)};
+    const std::string html = compared.html();
+    EXPECT_EQ(markupError(html), "");
+    EXPECT_NE(html.find("a &lt;b&gt;"), std::string::npos);
+    EXPECT_EQ(countOf(html, "aria-label=\"Share of subjects reported"), 2u);
+    EXPECT_EQ(countOf(html, "aria-label=\"Distribution of "), 2u) << "not of the one that had nothing in view";
+    EXPECT_NE(html.find("that the log and the simulated world both know"), std::string::npos);
+    for (const char* undefined : {"nan", "inf<"}) EXPECT_EQ(html.find(undefined), std::string::npos) << undefined;
+
+    const TemporaryFolder folder;
+    const std::filesystem::path place = folder.path() / "report";
+    ASSERT_TRUE(writeComparison(compared.comparison, compared.scene, {}, place));
+    EXPECT_TRUE(std::filesystem::exists(place / "readings.csv"));
+    const auto json = nlohmann::json::parse(comparisonJson(compared.comparison, {}));
+    const auto& all = json["sensors"][0]["all"];
+    EXPECT_EQ(all["looks"]["real"], 100);
+    EXPECT_NEAR(all["reported"]["simulated"]["share"].get<double>(), 0.66, 1e-12);
+    EXPECT_EQ(all["range_error_m"]["test"]["statistic"], 0);
+    EXPECT_EQ(all["range_error_m"]["test"]["p"], 1);
+    EXPECT_TRUE(json["sensors"][1]["all"]["reported"]["real"]["share"].is_null());
 }
 
 TEST(ComparisonReport, PathsAreInterruptedWhereTheTruthIsNotKnown) {
