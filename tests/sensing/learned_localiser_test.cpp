@@ -15,15 +15,15 @@
 namespace mrose {
 namespace {
 
-constexpr Nanoseconds millisecond = 1'000'000;
+constexpr Nanoseconds localiserMillisecond = 1'000'000;
 
 SensorNetwork localisation() {
     SensorNetwork network;
     network.sensor = "localisation";
     network.measures = SensorNetwork::Measures::pose;
     network.robots = {"a"};
-    network.period = 100 * millisecond;
-    network.latency = 80 * millisecond;
+    network.period = 100 * localiserMillisecond;
+    network.latency = 80 * localiserMillisecond;
     network.form = {3, 1};
     network.gross = {0, {1, 1, 1}};
     for (const char* name : {"x", "y", "heading_sine", "heading_cosine", "speed", "rotation"})
@@ -62,7 +62,7 @@ Scenario localised(const SensorNetwork& network, std::shared_ptr<const Controlle
                                                              SensorTraits{"place", period}, "a")};
     return SmallWorld()
         .robot(type, {1, 2, 0.5}, std::move(controller),
-               std::make_shared<const KinematicModel>(KinematicParameters{}, 100 * millisecond))
+               std::make_shared<const KinematicModel>(KinematicParameters{}, 100 * localiserMillisecond))
         .scenario();
 }
 
@@ -86,7 +86,8 @@ std::vector<Reported> reportsOf(const Scenario& scenario, int ticks, std::uint64
         const Observation& seen = trace.robots[0].observation;
         for (const Reading& reading : seen.readings()) {
             if (reading.name != "place") continue;
-            const auto tick = static_cast<std::size_t>(std::max<Nanoseconds>(reading.measured, 0) / (20 * millisecond));
+            const auto tick =
+                static_cast<std::size_t>(std::max<Nanoseconds>(reading.measured, 0) / (20 * localiserMillisecond));
             const Pose pose = seen.records<Pose>(&reading)[0];
             reports.push_back({seen.time, reading.measured, relative(poses[tick], pose)});
         }
@@ -101,8 +102,9 @@ TEST(LearnedLocalisers, ErrByTheDistributionInTheRobotsFrame) {
     StandardNormals x, y, heading;
     for (const Reported& one : reports) {
         EXPECT_EQ(one.arrived - one.measured,
-                  80 * millisecond +
-                      20 * millisecond * ((one.arrived - one.measured - 80 * millisecond) / (20 * millisecond)));
+                  80 * localiserMillisecond +
+                      20 * localiserMillisecond *
+                          ((one.arrived - one.measured - 80 * localiserMillisecond) / (20 * localiserMillisecond)));
         x.add((one.error.x - 0.10) / 0.04);
         y.add((one.error.y + 0.05) / 0.02);
         heading.add((one.error.heading - 0.02) / 0.01);
@@ -114,11 +116,12 @@ TEST(LearnedLocalisers, ErrByTheDistributionInTheRobotsFrame) {
 
 TEST(LearnedLocalisers, ReportByTheirClockWhatWasTheirLatencyAgo) {
     const std::vector<double> outputs{5, 0, 0, 0, -11, -11, -11};
-    const auto reports = reportsOf(localised(constantLocalisation(outputs), driving(), 60 * millisecond), 500, 4);
+    const auto reports =
+        reportsOf(localised(constantLocalisation(outputs), driving(), 60 * localiserMillisecond), 500, 4);
     ASSERT_GT(reports.size(), 150u);
     for (std::size_t i = 1; i < reports.size(); ++i) {
-        EXPECT_EQ(reports[i].measured - reports[i - 1].measured, 60 * millisecond);
-        EXPECT_GE(reports[i].arrived - reports[i].measured, 80 * millisecond);
+        EXPECT_EQ(reports[i].measured - reports[i - 1].measured, 60 * localiserMillisecond);
+        EXPECT_GE(reports[i].arrived - reports[i].measured, 80 * localiserMillisecond);
         EXPECT_NEAR(reports[i].error.x, 0, 1e-3);
     }
 }
@@ -131,7 +134,7 @@ TEST(LearnedLocalisers, SlowPartsLastAndMissingReportsComeInBursts) {
     EXPECT_NEAR(share, normalProbability(1), 0.05);
     double missing = 0, missingTwice = 0, products = 0, alone = 0, pairs = 0;
     for (std::size_t i = 1; i < reports.size(); ++i) {
-        const auto gap = (reports[i].measured - reports[i - 1].measured) / (100 * millisecond);
+        const auto gap = (reports[i].measured - reports[i - 1].measured) / (100 * localiserMillisecond);
         if (gap > 1) missing += static_cast<double>(gap - 1), missingTwice += static_cast<double>(gap - 2);
         if (gap != 1) continue;
         products += reports[i].error.x * reports[i - 1].error.x;
@@ -144,7 +147,7 @@ TEST(LearnedLocalisers, SlowPartsLastAndMissingReportsComeInBursts) {
 }
 
 TEST(LearnedLocalisers, GoOnToTheSameBitsFromEveryTick) {
-    const Scenario scenario = localised(someLocalisation(), driving(), 60 * millisecond);
+    const Scenario scenario = localised(someLocalisation(), driving(), 60 * localiserMillisecond);
     WorldState state = scenario.initialState(9);
     StepBuffers buffers, others;
     for (int k = 0; k < 200; ++k) {
