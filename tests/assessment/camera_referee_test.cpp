@@ -16,7 +16,7 @@
 namespace mrose {
 namespace {
 
-constexpr int samples = 32;
+constexpr int refereeDraws = 32;
 
 /// What a model says of all cases, as the referee reads it.
 std::string samplesOf(const SensorEvaluation& evaluation) {
@@ -33,18 +33,18 @@ std::string samplesOf(const SensorEvaluation& evaluation) {
             prediction.distribution = of.distribution;
             prediction.inView = true;
         }
-    return sensorSamplesCsv(queries, predictions, samples, 1);
+    return sensorSamplesCsv(queries, predictions, refereeDraws, 1);
 }
 
 /// How likely a reading that has so much probability below it is in the central part by the referee: by its rank among
 /// so many samples.
 double likelyInside(double below, double part) {
     double likely = 0;
-    for (int rank = 0; rank <= samples; ++rank) {
-        if (std::abs((rank + 0.5) / (samples + 1) - 0.5) > 0.5 * part) continue;
+    for (int rank = 0; rank <= refereeDraws; ++rank) {
+        if (std::abs((rank + 0.5) / (refereeDraws + 1) - 0.5) > 0.5 * part) continue;
         double binomial = 1;
-        for (int i = 0; i < rank; ++i) binomial *= static_cast<double>(samples - i) / (i + 1);
-        likely += binomial * std::pow(below, rank) * std::pow(1 - below, samples - rank);
+        for (int i = 0; i < rank; ++i) binomial *= static_cast<double>(refereeDraws - i) / (i + 1);
+        likely += binomial * std::pow(below, rank) * std::pow(1 - below, refereeDraws - rank);
     }
     return likely;
 }
