@@ -108,27 +108,30 @@ void InspectorDelegate::paintValue(QPainter& painter, const QStyleOptionViewItem
                      Qt::AlignLeft | Qt::AlignVCenter, unit);
 }
 
-/// Columns of equal width at the right end; a word that is wider goes on into the empty one before.
+/// In columns at the right end, every other one wider; a word that is wider goes on into the empty one before.
 void InspectorDelegate::paintCells(QPainter& painter, const QStyleOptionViewItem& option,
                                    const QModelIndex& index) const {
     const QStringList cells = index.data(cellsRole).toStringList();
-    const int width = option.fontMetrics.horizontalAdvance("-000.0") + 5;
+    const QFontMetrics& metrics = option.fontMetrics;
     const QRect box = option.rect.adjusted(3, 0, -4, 0);
     const bool selected = option.state.testFlag(QStyle::State_Selected);
-    const QColor name = index.data(Qt::ForegroundRole).value<QBrush>().color();
+    const QColor nameInk = index.data(Qt::ForegroundRole).value<QBrush>().color();
     painter.setFont(option.font);
-    painter.setPen(selected ? option.palette.color(QPalette::HighlightedText) : name);
-    const int room = box.width() - static_cast<int>(cells.size()) * width;
-    painter.drawText(QRect(box.left(), box.top(), room, box.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, room));
-    for (int i = 0; i < cells.size(); ++i) {
+    if (selected) painter.setPen(option.palette.color(QPalette::HighlightedText));
+    int right = box.right();
+    for (int i = cells.size() - 1; i >= 0; --i) {
+        const int width = metrics.horizontalAdvance(i % 2 == 0 ? "0.00" : "-00.0") + 4;
         bool number = false;
         cells[i].toDouble(&number);
         if (!selected) painter.setPen(number ? theme_.text : theme_.quietText);
-        const int right = box.right() - (static_cast<int>(cells.size()) - 1 - i) * width;
         painter.drawText(QRect(right - 2 * width, box.top(), 2 * width, box.height()),
                          Qt::AlignRight | Qt::AlignVCenter, cells[i]);
+        right -= width;
     }
+    if (!selected) painter.setPen(nameInk);
+    const int room = right - box.left();
+    painter.drawText(QRect(box.left(), box.top(), room, box.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(index.data().toString(), Qt::ElideRight, room));
 }
 
 /// A small curve.
