@@ -85,7 +85,7 @@ SensorNetwork blueprintOf(const SensorSummary& found) {
 }
 
 SensorTrainerOptions quick(int components) {
-    SensorTrainerOptions options{.components = components, .members = 2};
+    SensorTrainerOptions options{.components = components, .folds = 2};
     options.reported.epochs = options.error.epochs = 200;
     return options;
 }
@@ -144,7 +144,7 @@ TEST(OwnPoses, APlantedLocaliserIsRecovered) {
     const SensorSamples samples = sensorSamples(logs, samplingOf(found));
     const auto trained = trainSensor(blueprintOf(found), samples, quick(1));
     ASSERT_TRUE(trained) << trained.error().message();
-    const SensorNetwork& network = trained->network;
+    const SensorNetwork& network = *trained;
     EXPECT_NEAR(network.gross.share, localiser.grossShare, 0.3 * localiser.grossShare);
     for (std::size_t i = 0; i < readingChannels; ++i) {
         EXPECT_NEAR(network.noise[i].slow, localiser.noise[i].slow, 0.12) << i;
@@ -179,9 +179,8 @@ TEST(OwnPoses, OfAnotherClassOfLocaliserTheErrorsAreCalibrated) {
     const SensorSamples samples = sensorSamples(logs, samplingOf(found));
     const auto trained = trainSensor(blueprintOf(found), samples, quick(3));
     ASSERT_TRUE(trained) << trained.error().message();
-    const Calibration calibration(LearnedSensor(trained->network),
-                                  sensorSamples(referenceLogs(40, 2), samplingOf(found)),
-                                  constantNoise(samples, trained->network));
+    const Calibration calibration(LearnedSensor(*trained), sensorSamples(referenceLogs(40, 2), samplingOf(found)),
+                                  constantNoise(samples, *trained));
     RecordProperty("log_likelihood", std::to_string(calibration.likelihood));
     RecordProperty("constant", std::to_string(calibration.ofConstant));
     EXPECT_GT(calibration.likelihood, calibration.ofConstant + 0.05);

@@ -18,19 +18,21 @@ namespace {
 using testing::HasSubstr;
 
 /// What the planted camera does of a state.
-struct Planted {
+struct PlantedReading {
     double threshold, mean[2], spread[2];
 };
-Planted plantedOf(const SensedState& s, int robot) {
+PlantedReading plantedReading(const SensedState& s, int robot) {
     return {0.8 - 0.4 * s.range,
             {0.05 * s.range + (robot == 0 ? 0.1 : -0.1), 0.02 * s.velocity.w},
             {0.02 + 0.01 * s.range, 0.01}};
 }
 
-constexpr double period = 0.25;  // s
+constexpr double lookPeriod = 0.25;  // s
 const ReadingNoises plantedNoise{{{0.2, 0.15, 2, 0.3, 6}, {0.1, 0.2, 5, 0.2, 4}, {0.3, 0.2, 3, 0.1, 10}, {}}};
 
-double normal(std::int64_t i, std::uint32_t part, std::uint32_t channel) { return normalNoise({7, i, part, channel}); }
+double plantedNormal(std::int64_t i, std::uint32_t part, std::uint32_t channel) {
+    return normalNoise({7, i, part, channel});
+}
 
 /// Looks of two robots at four subjects whose places wander about, by the planted distribution and noise.
 SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
@@ -44,14 +46,15 @@ SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
         const auto step = [&](ChannelNumbers& numbers, std::int64_t look, std::uint32_t part, bool ofSubject) {
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const double time = ofSubject ? noises[c].subjectTime : noises[c].slowTime;
-                const double draw = normal(look, part, c);
-                numbers[c] = look % looks == 0 ? draw : lasting(numbers[c], period, time, draw);
+                const double draw = plantedNormal(look, part, c);
+                numbers[c] = look % looks == 0 ? draw : lasting(numbers[c], lookPeriod, time, draw);
             }
         };
         for (int l = 0; l < looks; ++l) {
             const std::int64_t look = robot * looks + l;
             SensorLook& added = samples.looks.emplace_back();
-            added = {0, robot, std::int64_t(l * period * 1e9), int(l * period / 60), samples.cases.size(), subjects};
+            added = {0,       robot, std::int64_t(l * lookPeriod * 1e9), int(l * lookPeriod / 60), samples.cases.size(),
+                     subjects};
             step(slow, look, 100, false);
             const auto own0 = static_cast<std::uint32_t>(200);
             for (std::size_t k = 0; k < subjects; ++k) {
@@ -63,11 +66,11 @@ SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
                 one.state.bearing = uniformNoise({8, look, part, 1}) - 0.5;
                 one.state.velocity = {0, uniformNoise({8, look, 50, 0}) - 0.5};
                 one.state.edge = viewEdge(one.state.bearing, 1.2);
-                const Planted planted = plantedOf(one.state, robot);
+                const PlantedReading planted = plantedReading(one.state, robot);
                 ChannelNumbers z;
                 for (std::uint32_t c = 0; c < 3; ++c)
-                    z[c] = weights.look[c] * normal(look, 300, c) + weights.slow[c] * slow[c] +
-                           weights.subject[c] * own[k][c] + weights.alone[c] * normal(look, 400 + part, c);
+                    z[c] = weights.look[c] * plantedNormal(look, 300, c) + weights.slow[c] * slow[c] +
+                           weights.subject[c] * own[k][c] + weights.alone[c] * plantedNormal(look, 400 + part, c);
                 one.reported = z[0] < planted.threshold;
                 if (one.reported)
                     for (std::size_t d = 0; d < 2; ++d) one.error[d] = planted.mean[d] + planted.spread[d] * z[1 + d];
@@ -78,7 +81,7 @@ SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
     return samples;
 }
 
-SensorNetwork blueprint() {
+SensorNetwork cameraBlueprint() {
     SensorNetwork network;
     network.sensor = "camera";
     network.view = {6, 1.2};
@@ -86,7 +89,7 @@ SensorNetwork blueprint() {
     return network;
 }
 
-SensorTrainerOptions quick(RegressorFamily family) {
+SensorTrainerOptions quickly(RegressorFamily family) {
     SensorTrainerOptions options;
     options.family = family;
     options.components = 1;
@@ -100,7 +103,7 @@ class SensorTraining : public testing::TestWithParam<RegressorFamily> {};
 
 TEST_P(SensorTraining, FindsThePlantedDistribution) {
     const SensorSamples samples = plantedSamples(2000, {});
-    const auto trained = trainSensor(blueprint(), samples, quick(GetParam()));
+    const auto trained = trainSensor(cameraBlueprint(), samples, quickly(GetParam()));
     ASSERT_TRUE(trained) << trained.error().message();
     const LearnedSensor sensor((*trained));
     double chance = 0, mean[2] = {}, spread[2] = {};
@@ -108,7 +111,7 @@ TEST_P(SensorTraining, FindsThePlantedDistribution) {
     for (std::size_t i = 0; i < count; ++i) {
         const SensorLook& look = samples.looks[4 * i % samples.looks.size()];
         const SensedState& state = samples.cases[look.first].state;
-        const Planted planted = plantedOf(state, look.robot);
+        const PlantedReading planted = plantedReading(state, look.robot);
         ReadingDistribution found;
         sensor.distributions({&state, 1}, look.robot, {&found, 1});
         chance += std::abs(found.probability() - normalProbability(planted.threshold)) / count;
@@ -127,7 +130,7 @@ TEST_P(SensorTraining, FindsThePlantedDistribution) {
     for (const SensorLook& look : samples.looks)
         for (std::size_t i = 0; i < look.count; ++i) {
             const SensorCase& one = samples.cases[look.first + i];
-            const double p = normalProbability(plantedOf(one.state, look.robot).threshold);
+            const double p = normalProbability(plantedReading(one.state, look.robot).threshold);
             best += std::log(one.reported ? p : 1 - p) / static_cast<double>(samples.cases.size());
         }
     EXPECT_GT(trained->heldOut.reported, best - 0.03);
@@ -142,12 +145,12 @@ INSTANTIATE_TEST_SUITE_P(Families, SensorTraining,
 TEST(SensorTraining, GivesTheSameNetworkOnAnyNumberOfThreads) {
     const SensorSamples samples = plantedSamples(600, plantedNoise);
     for (const RegressorFamily family : {RegressorFamily::network, RegressorFamily::table, RegressorFamily::trees}) {
-        SensorTrainerOptions options = quick(family);
+        SensorTrainerOptions options = quickly(family);
         options.reported.epochs = options.error.epochs = 20;
         options.trees = 3;
         const auto textOn = [&](int threads) {
             tbb::task_arena arena(threads);
-            return arena.execute([&] { return sensorText(*trainSensor(blueprint(), samples, options)); });
+            return arena.execute([&] { return sensorText(*trainSensor(cameraBlueprint(), samples, options)); });
         };
         EXPECT_EQ(textOn(1), textOn(3)) << nameOf(family);
     }
@@ -156,7 +159,7 @@ TEST(SensorTraining, GivesTheSameNetworkOnAnyNumberOfThreads) {
 TEST(SensorTraining, FindsWhatReadingsHaveInCommon) {
     const SensorSamples samples = plantedSamples(12000, plantedNoise);
     // The planted distribution itself, so that nothing of the noise is taken for something else.
-    SensorNetwork network = blueprint();
+    SensorNetwork network = cameraBlueprint();
     network.robots = samples.robots;
     network.learned.inputs = {{"range", "m"}, {"rotation", "rad/s"}, {"robot a", "1"}, {"robot b", "1"}};
     network.learned.outputs = sensorOutputs(network.measures, network.form);
@@ -202,7 +205,7 @@ TEST(SensorTraining, FindsWhatReadingsHaveInCommon) {
     for (const SensorLook& look : even.looks)
         for (std::size_t i = 0; i < look.count; ++i) {
             SensorCase& one = even.cases[look.first + i];
-            const Planted planted = plantedOf(one.state, look.robot);
+            const PlantedReading planted = plantedReading(one.state, look.robot);
             one.error[0] = planted.mean[0] + 0.05 * (one.error[0] - planted.mean[0]) / planted.spread[0];
         }
     const ReadingNoises found = fitReadingNoises(LearnedSensor(network), even);
@@ -217,7 +220,7 @@ TEST(SensorTraining, FindsWhatReadingsHaveInCommon) {
         for (const SensorLook& look : independent.looks)
             for (std::size_t i = 0; i < look.count; ++i) {
                 SensorCase& one = independent.cases[look.first + i];
-                const Planted planted = plantedOf(one.state, look.robot);
+                const PlantedReading planted = plantedReading(one.state, look.robot);
                 one.error[0] = planted.mean[0] + 0.05 * (one.error[0] - planted.mean[0]) / planted.spread[0];
             }
         return independent;
@@ -230,25 +233,25 @@ TEST(SensorTraining, CountsGrossErrors) {
     std::size_t wrong = 0, readings = 0;
     for (SensorCase& one : samples.cases)
         if (one.reported && readings++ % 200 == 0) one.error[0] += 5, ++wrong;
-    SensorTrainerOptions options = quick(RegressorFamily::network);
+    SensorTrainerOptions options = quickly(RegressorFamily::network);
     options.reported.epochs = options.error.epochs = 20;
-    const auto trained = trainSensor(blueprint(), samples, options);
+    const auto trained = trainSensor(cameraBlueprint(), samples, options);
     ASSERT_TRUE(trained) << trained.error().message();
     EXPECT_NEAR(trained->gross.share * static_cast<double>(readings), static_cast<double>(wrong), 1);
     EXPECT_GT(trained->gross.reach[0], 4.5);
 }
 
 TEST(SensorTraining, SaysWhatIsTooLittle) {
-    const auto few = trainSensor(blueprint(), plantedSamples(40, {}), quick(RegressorFamily::network));
+    const auto few = trainSensor(cameraBlueprint(), plantedSamples(40, {}), quickly(RegressorFamily::network));
     ASSERT_FALSE(few);
     EXPECT_THAT(few.error().message(), HasSubstr("learning needs 200"));
-    const auto shortOnes = trainSensor(blueprint(), plantedSamples(200, {}), quick(RegressorFamily::network));
+    const auto shortOnes = trainSensor(cameraBlueprint(), plantedSamples(200, {}), quickly(RegressorFamily::network));
     ASSERT_FALSE(shortOnes) << "all of it is one block of time";
     EXPECT_THAT(shortOnes.error().message(), HasSubstr("too short"));
 }
 
 TEST(SensorTraining, EndsWhenItIsToldTo) {
-    const auto trained = trainSensor(blueprint(), plantedSamples(600, {}), quick(RegressorFamily::network),
+    const auto trained = trainSensor(cameraBlueprint(), plantedSamples(600, {}), quickly(RegressorFamily::network),
                                      [](double share) { return share < 0.3; });
     ASSERT_FALSE(trained);
     EXPECT_THAT(trained.error().message(), HasSubstr("cancelled"));

@@ -18,13 +18,13 @@ TEST(SyntheticCameras, DetectionsAndErrorsAreCalibrated) {
     blueprint.latency = fromSeconds(found.lateness.lateness);
     blueprint.view = {7.5, 1.2};
     const SensorSampleOptions sampling{.sensor = "camera", .latency = blueprint.latency, .view = blueprint.view};
-    SensorTrainerOptions options{.components = 3, .members = 2};
+    SensorTrainerOptions options{.components = 3, .folds = 2};
     options.reported.epochs = options.error.epochs = 200;
     const SensorSamples samples = sensorSamples(logs, sampling);
     const auto trained = trainSensor(blueprint, samples, options);
     ASSERT_TRUE(trained) << trained.error().message();
-    const Calibration calibration(LearnedSensor(trained->network), sensorSamples(referenceLogs(40, 2), sampling),
-                                  constantNoise(samples, trained->network));
+    const Calibration calibration(LearnedSensor(*trained), sensorSamples(referenceLogs(40, 2), sampling),
+                                  constantNoise(samples, *trained));
     RecordProperty("log_likelihood", std::to_string(calibration.likelihood));
     RecordProperty("constant", std::to_string(calibration.ofConstant));
     RecordProperty("expected", std::to_string(calibration.expected / calibration.readings));

@@ -32,7 +32,7 @@ protected:
     TrainSensorRequest request(const std::string& log, const std::string& sensor) const {
         TrainSensorRequest request{.logs = {log}, .sensor = sensor, .output = path("learned.net")};
         request.training.components = 1;
-        request.training.members = 2;
+        request.training.folds = 2;
         request.training.reported.epochs = request.training.error.epochs = 20;
         return request;
     }
