@@ -28,16 +28,12 @@ private:
     Attention attention_;
 };
 
-/// Where a body was at an instant that is no later than the state's and that a sensor may read.
+/// Where a body was at an instant that is no later than the state's, as far back as sensors read.
 Pose poseAt(const Scenario& scenario, const WorldState& state, std::size_t body, Nanoseconds time) {
     const Nanoseconds tick = scenario.scene().tickLength, ago = scenario.scene().timeOf(state.tick) - time;
-    const std::int64_t lag = std::min(ago / tick, scenario.pastDepth());
-    const Pose later = scenario.poseBefore(state, body, lag);
-    if (ago % tick == 0 || lag == scenario.pastDepth()) return later;
-    const Pose before = scenario.poseBefore(state, body, lag + 1);
-    const double share = static_cast<double>(ago % tick) / static_cast<double>(tick);
-    return {later.x + share * (before.x - later.x), later.y + share * (before.y - later.y),
-            later.heading + share * wrappedAngle(before.heading - later.heading)};
+    const std::int64_t lag = ago / tick;
+    if (lag >= scenario.pastDepth()) return scenario.poseBefore(state, body, scenario.pastDepth());
+    return scenario.past().poseBetween(state, body, lag, static_cast<double>(ago % tick) / static_cast<double>(tick));
 }
 
 /// A subject at a place, as a robot has it before it.
@@ -80,6 +76,22 @@ bool lookedThen(const std::vector<Look>& looks, Nanoseconds stamp, Nanoseconds p
     const auto next = std::ranges::lower_bound(looks, stamp, {}, &Look::time);
     return (next != looks.end() && next->time - stamp <= pause) ||
            (next != looks.begin() && stamp - std::prev(next)->time <= pause);
+}
+
+/// As addEmptyLooks() has it: a pause of more is no pause between looks.
+constexpr std::ptrdiff_t mostEmptyLooks = 7;
+
+/// Leaves out a robot's empty looks of which more follow each other than a log of what was seen would show.
+void leaveOutPauses(std::vector<SensedLook>& looks, std::size_t robot) {
+    std::vector<SensedLook> kept;
+    for (auto look = looks.begin(); look != looks.end();) {
+        const auto next = std::find_if(look, looks.end(),
+                                       [&](const SensedLook& other) { return other.robot != robot || !other.empty(); });
+        if (next - look <= mostEmptyLooks) std::move(look, next, std::back_inserter(kept));
+        look = next;
+        if (look != looks.end()) kept.push_back(std::move(*look++));
+    }
+    looks = std::move(kept);
 }
 
 std::uint64_t seedOf(const RolloutRequest& request, std::uint64_t seed) {
@@ -127,14 +139,18 @@ void RolloutReadings::addSources(std::size_t robot, Nanoseconds length) {
         // The last control instant of the rollout may be a period before its end.
         const Nanoseconds period = opened_.scenario->scene().modelOf(opened_.bodies[robot]).period();
         sources_.push_back({pair, robot, sensor, log, length - period - sensor->latency(), medianPause(log->looks),
-                            gives(*sensor, pairs_[pair].landmarks()), gives(*sensor, pairs_[pair].robots())});
+                            gives(*sensor, pairs_[pair].landmarks()), gives(*sensor, pairs_[pair].robots()),
+                            log->defects.emptyLooks > 0});
     }
 }
 
 bool RolloutReadings::counts(const Source& source, Nanoseconds measured) const {
     if (measured < 0 || measured > source.last) return false;
     const Nanoseconds time = realTime(source.robot, measured), stamp = time + source.sensor->latency();
-    return truthIsKnown(trajectoryOf(source.robot).poses, time) && lookedThen(source.log->looks, stamp, source.pause);
+    if (!truthIsKnown(trajectoryOf(source.robot).poses, time)) return false;
+    const std::vector<Look>& looks = source.log->looks;
+    return source.onlySeen ? stamp >= looks.front().time && stamp <= looks.back().time
+                           : lookedThen(looks, stamp, source.pause);
 }
 
 void RolloutReadings::observeBefore(WorldState& state) {
@@ -226,6 +242,8 @@ std::vector<LookStreams> RolloutReadings::looks() const {
             std::ranges::stable_sort(*looks, {},
                                      [](const SensedLook& look) { return std::pair(look.robot, look.time); });
         }
+    for (const Source& source : sources_)
+        if (source.onlySeen) leaveOutPauses(streams[source.pair].simulated, source.robot);
     return streams;
 }
 

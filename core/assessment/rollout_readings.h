@@ -22,9 +22,10 @@ struct LookStreams {
 ///
 /// Looks count that were measured and reported within the rollout, at instants at which ground truth says where the
 /// real robot was; simulated ones where the real sensor is known to have looked too, no further from one of its looks
-/// than these usually are from each other. A sensor is taken to measure its simulated one's latency before its stamp.
-/// Subjects count that both have: landmarks of the environment by their names, and the compared robots that are in this
-/// world, where the log says where they were.
+/// than these usually are from each other. Where a log holds only what was seen, and its reader has added the empty
+/// looks of short pauses, the simulated sensor's empty looks are kept by that same rule instead: of its own pauses. A
+/// sensor is taken to measure its simulated one's latency before its stamp. Subjects count that both have: landmarks of
+/// the environment by their names, and the compared robots that are in this world, where the log says where they were.
 class RolloutReadings {
 public:
     /// They must outlive it.
@@ -46,6 +47,7 @@ private:
         Nanoseconds last;   ///< measurements count from 0 on to here
         Nanoseconds pause;  ///< median between the log's looks
         bool landmarks, robots;
+        bool onlySeen;  ///< the log does not hold all empty looks
     };
     void addSources(std::size_t robot, Nanoseconds length);
     bool counts(const Source& source, Nanoseconds measured) const;

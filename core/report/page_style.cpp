@@ -78,7 +78,7 @@ path.axis { stroke: var(--soft); stroke-width: 1.2; fill: none; }
 .s3 { --c: var(--c3); stroke-dasharray: 10 3 2 3; } .s4 { --c: var(--c4); stroke-dasharray: 14 4; } .s5 { --c: var(--c5); stroke-dasharray: 1 3; }
 .real { --c: var(--real); stroke-width: 6; }
 .thin { stroke-width: 1.4; opacity: .85; }
-.band { fill: var(--c0); stroke: none; opacity: .15; } .band.inner { opacity: .24; } .band.realband { fill: var(--real); opacity: .3; }
+.band { fill: var(--c0); stroke: none; opacity: .15; } .band.inner { opacity: .24; }
 .arrow { stroke: var(--c); fill: var(--c); stroke-width: 1.3; stroke-dasharray: none; } .arrow.real { --c: var(--realarrow); }
 .start { fill: var(--card); stroke: var(--ink); stroke-width: 2; }
 .leaves { fill: var(--card); stroke: var(--c1); stroke-width: 2.6; }

@@ -52,7 +52,7 @@ std::string reportsFigure(const std::vector<ShareBin>& bins, double unit, std::s
     const PlotRange across = bins.empty() ? PlotRange{} : PlotRange{unit * bins.front().from, unit * bins.back().to};
     SvgPlot plot({}, across, {0, 104}, description);
     plot.axes(xTitle, "reported, of those in view (%)");
-    drawShares(plot, bins, unit, &Shares::real, "real", "band realband");
+    drawShares(plot, bins, unit, &Shares::real, "real", "realband");
     drawShares(plot, bins, unit, &Shares::simulated, "s0", "band");
     return plot.text();
 }

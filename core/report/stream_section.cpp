@@ -81,11 +81,10 @@ std::string figures(const Comparison& comparison, const ComparedSensor& sensor) 
     };
     return cat(
         legend(lineEntry("real", comparison.log.real()) + lineEntry("s0", "simulated") +
-               boxEntry("band", "bands: two standard errors")),
+               boxEntry("realband", cat("two standard errors, ", comparison.log.real())) +
+               boxEntry("band", "two standard errors, simulated")),
         pair("Reports by range", reportsByRangeFigure(sensor), "Reports by bearing", reportsByBearingFigure(sensor)),
-        element("div", "below",
-                pair("Errors of the range", rangeErrorFigure(sensor), "Errors of the bearing",
-                     bearingErrorFigure(sensor))));
+        pair("Errors of the range", rangeErrorFigure(sensor), "Errors of the bearing", bearingErrorFigure(sensor)));
 }
 
 }  // namespace
@@ -127,7 +126,7 @@ std::string streamSection(const Comparison& comparison) {
         text += cat(heading(cat("What the sensor “", escaped(sensor.name), "” reported")),
                     paragraph(escaped(streamsText(comparison, sensor))));
         if (sensor.all.reported.real.of == 0 && sensor.all.reported.simulated.of == 0) continue;
-        text += cat(figures(comparison, sensor), element("div", "below", tableCard(streamTable(comparison, sensor))),
+        text += cat(figures(comparison, sensor), tableCard(streamTable(comparison, sensor)),
                     element("p", "soft", escaped(testsText())));
     }
     return text;

@@ -197,6 +197,27 @@ TEST(CompareSensors, SimulatedLooksCountWhereTheRealSensorLooked) {
     }
 }
 
+TEST(CompareSensors, EmptyLooksCountAsALogOfWhatWasSeenHasThem) {
+    Log log = twoRobots();
+    const auto mostEmpty = [&] {
+        // The other robot is in view for a part of each turn, and pauses are longer than a rollout.
+        const ComparedSensor sensor = compared(log, partsOf(log, {idealCamera(2)})).sensors.at(0);
+        EXPECT_GT(sensor.all.reported.simulated.of, 100u);
+        std::size_t most = 0, now = 0;
+        const SensedLook* last = nullptr;
+        for (const SensedLook& look : sensor.looks.simulated) {
+            const bool same = last != nullptr && last->request == look.request && last->robot == look.robot;
+            now = !look.empty() ? 0 : same ? now + 1 : 1;
+            most = std::max(most, now);
+            last = &look;
+        }
+        return most;
+    };
+    EXPECT_GT(mostEmpty(), 40u);
+    for (RobotLog& robot : log.robots) robot.trajectories[0].sensors[0].defects.emptyLooks = 1;
+    EXPECT_LE(mostEmpty(), 7u);
+}
+
 TEST(CompareSensors, RolloutsHaveDrawsOfTheirOwn) {
     const Log log = twoRobots();
     BodySight sight;
