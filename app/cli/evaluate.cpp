@@ -104,7 +104,7 @@ Expected<void> checkFlags(const std::vector<const CLI::Option*>& others, const s
 
 int runEither(const EvaluateFlags& flags, const CommonFlags& common) {
     const auto sensor = isSensorFile(flags.what.network);
-    if (!sensor) return report(sensor.error());
+    if (!sensor) return runEvaluate(flags, common);  // which names the first thing wrong, the report's folder too
     const auto fits = checkFlags(*sensor ? flags.ofMotion : flags.ofSensors, flags.what.network, *sensor);
     if (!fits) {
         report(fits.error());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "geometry/elementary.h"
 #include "geometry/point.h"
 #include "perception/logged_view.h"
 
@@ -108,7 +109,7 @@ std::vector<SensorLook> simulatedLooks(const FieldFrame& frame, std::size_t robo
         for (const SeenBody& body : seen.bodies) {
             ReportedSubject& subject = looks.back().subjects.emplace_back();
             subject.range = length(body.position_B);
-            subject.bearing = std::atan2(body.position_B.y, body.position_B.x);
+            subject.bearing = arcTangent(body.position_B.y, body.position_B.x);
             nameSubject(frame, seen.reading, body.index, seen.measured, subject);
         }
     }

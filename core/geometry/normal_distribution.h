@@ -45,7 +45,8 @@ inline double logNormalProbability(double x) {
 
 /// The x of which a share `p` is less; infinite for 0 and 1.
 inline double normalQuantile(double p) {
-    if (!(p > 0 && p < 1)) return p == 0 || p == 1 ? (p - 0.5) * std::numeric_limits<double>::infinity() : p - p;
+    constexpr double none = std::numeric_limits<double>::quiet_NaN(), end = std::numeric_limits<double>::infinity();
+    if (!(p > 0 && p < 1)) return p == 0 ? -end : p == 1 ? end : none;
     if (p > 0.5) return -normalQuantile(1 - p);
     // Newton's method on the logarithm, which is concave: from the left it does not overshoot.
     double x = -std::sqrt(-2 * logarithm(p));

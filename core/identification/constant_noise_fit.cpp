@@ -22,7 +22,7 @@ ConstantNoise fitConstantNoise(const SensorNetwork& sensor, const SensorSamples&
     ReadingError squares{};
     double sound = 0;
     const auto dimensions = static_cast<std::size_t>(sensor.form.dimensions);
-    for (const SensorLook& look : samples.looks)
+    for (const SampledLook& look : samples.looks)
         for (std::size_t i = look.first; i < look.first + look.count && !look.unknown; ++i) {
             const SensorCase& one = samples.cases[i];
             if (sensor.landmarks && one.state.subject == SubjectKind::robot) continue;

@@ -71,7 +71,7 @@ std::array<ChannelResiduals, readingChannels> residualsOf(const LearnedSensor& s
     std::array<ChannelResiduals, readingChannels> channels;
     for (ChannelResiduals& channel : channels) channel.resize(samples.looks.size());
     parallelFor(samples.looks.size(), [&](std::size_t l) {
-        const SensorLook& look = samples.looks[l];
+        const SampledLook& look = samples.looks[l];
         if (look.unknown) return;
         std::vector<SensedState> states;
         for (std::size_t i = 0; i < look.count; ++i) states.push_back(samples.cases[look.first + i].state);
@@ -128,7 +128,7 @@ LaggedKinds acrossLooks(const ChannelResiduals& channel, const SensorSamples& sa
     std::vector<Bin> bins(static_cast<std::size_t>(longest / bin) + 1);
     for (std::size_t i = 0; i < channel.size(); ++i)
         for (std::size_t j = i + 1; j < channel.size() && !channel[i].all.empty(); ++j) {
-            const SensorLook &a = samples.looks[i], &b = samples.looks[j];
+            const SampledLook &a = samples.looks[i], &b = samples.looks[j];
             const double apart = toSeconds(b.time - a.time);
             if (b.robot != a.robot || b.log != a.log || apart < 0 || apart > longest) break;
             if (channel[j].all.empty()) continue;

@@ -33,7 +33,7 @@ void findScales(std::vector<NetworkVariable>& inputs, const SensorNetwork& netwo
     const SensorInputs reader(inputs, network.robots);
     std::vector<double> row(inputs.size()), sum(inputs.size()), squares(inputs.size());
     const auto visit = [&](auto use) {
-        for (const SensorLook& look : samples.looks)
+        for (const SampledLook& look : samples.looks)
             for (std::size_t i = 0; i < look.count; ++i) {
                 reader.readRaw(samples.cases[look.first + i].state, look.robot, row.data());
                 use();

@@ -167,7 +167,7 @@ SensorSamples collected(std::span<const Log> logs, const SensorSampleOptions& op
 
 std::size_t SensorSamples::readings() const {
     std::size_t count = 0;
-    for (const SensorLook& look : looks)
+    for (const SampledLook& look : looks)
         for (std::size_t i = 0; i < look.count && !look.unknown; ++i) count += cases[look.first + i].reported;
     return count;
 }

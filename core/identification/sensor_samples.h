@@ -21,7 +21,7 @@ struct SensorCase {
 };
 
 /// One look of a robot's sensor: its cases are `count` from `first` on.
-struct SensorLook {
+struct SampledLook {
     std::size_t log = 0;  ///< of the logs
     int robot = -1;       ///< in SensorSamples::robots
     Nanoseconds time = 0;
@@ -33,7 +33,7 @@ struct SensorLook {
 /// What the sensors of one name reported in logs, beside what was true.
 struct SensorSamples {
     std::vector<std::string> robots;
-    std::vector<SensorLook> looks;
+    std::vector<SampledLook> looks;
     std::vector<SensorCase> cases;
     std::int64_t withoutTruth = 0;  ///< looks at which it is not known where the robot was: left out
     std::int64_t unknownPlace = 0;  ///< readings of subjects whose place is not known: left out

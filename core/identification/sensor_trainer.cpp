@@ -35,7 +35,7 @@ public:
             read_[0].push_back(true);
             read_[1].push_back(isReadForErrors(input.name));
         }
-        for (const SensorLook& look : samples.looks)
+        for (const SampledLook& look : samples.looks)
             for (std::size_t i = 0; i < look.count; ++i) {
                 robots_.push_back(look.robot);
                 folds_.push_back(look.block % options.folds);
@@ -218,7 +218,7 @@ private:
     SensorInputs inputs_;
     std::array<std::vector<bool>, 2> read_;  ///< by Half: which inputs it reads
     std::vector<int> robots_, folds_;        ///< by case, as the next one
-    std::vector<bool> unknown_;              ///< SensorLook::unknown
+    std::vector<bool> unknown_;              ///< SampledLook::unknown
     std::int64_t epochs_ = 0;
 };
 
@@ -329,8 +329,8 @@ Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const Sensor
         (half == Half::reported ? network.heldOut.reported : network.heldOut.error) = score / cases;
         (half == Half::reported ? network.heldOut.cases : network.heldOut.readings) = static_cast<std::int64_t>(cases);
     }
-    network.heldOut.looks =
-        std::count_if(samples.looks.begin(), samples.looks.end(), [](const SensorLook& look) { return !look.unknown; });
+    network.heldOut.looks = std::count_if(samples.looks.begin(), samples.looks.end(),
+                                          [](const SampledLook& look) { return !look.unknown; });
     if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");
     const Regressor reported = learner.learn(Half::reported, epochs[0]);
     if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");

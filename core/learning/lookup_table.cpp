@@ -12,10 +12,11 @@ struct Place {
 };
 
 Place placeOf(const std::vector<float>& knots, float x) {
+    if (!(x > knots.front())) return {0, 0};  // also of what is no number
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
     const auto knot = static_cast<std::size_t>(above - knots.begin()) - 1;
     const float share = (x - knots[knot]) / (knots[knot + 1] - knots[knot]);
-    return {knot, share > 0 ? std::min(share, 1.0f) : 0.0f};  // of what is no number, the knot
+    return {knot, std::min(share, 1.0f)};
 }
 
 }  // namespace

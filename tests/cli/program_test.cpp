@@ -43,7 +43,7 @@ TEST_F(Program, HelpOfEverySubcommandHasExamplesAndTheCommonFlags) {
 /// Flags that would do nothing are not there.
 TEST_F(Program, FlagsAreOfferedWhereTheyAct) {
     const std::pair<const char*, std::vector<std::string>> cases[] = {
-        {"--seed", {"train", "generate", "run", "batch", "compare"}},
+        {"--seed", {"train", "predict", "generate", "run", "batch", "compare"}},
         {"--threads", {"inspect", "train", "batch", "compare"}},
         {"--overwrite", {"train", "evaluate", "predict", "generate", "shapes", "run", "compare"}}};
     for (const auto& [flag, commands] : cases)

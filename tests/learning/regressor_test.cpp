@@ -241,15 +241,15 @@ std::string errorOf(std::string text, const std::string& from, const std::string
 
 TEST(RegressorFiles, ThatDoNotFitAreRefused) {
     const std::string table = textOf(someTable()), trees = textOf(someTrees());
-    EXPECT_THAT(errorOf(table, "[-1, 0.5, 2]", "[-1, 2, 0.5]"), HasSubstr("knots: expected ascending numbers"));
+    EXPECT_THAT(errorOf(table, "[-1.0, 0.5, 2.0]", "[-1.0, 2.0, 0.5]"), HasSubstr("knots: expected ascending numbers"));
     EXPECT_THAT(errorOf(table, "input = 2", "input = 3"), HasSubstr("input: "));
     EXPECT_THAT(errorOf(table, "family = \"table\"", "family = \"trees\""), HasSubstr("decision_trees"));
     EXPECT_THAT(errorOf(table, "family = \"table\"", "family = \"spline\""), HasSubstr("family: "));
     EXPECT_THAT(errorOf(table, "family = \"table\"\n", ""), HasSubstr("hidden"));
     EXPECT_THAT(errorOf(trees, "[1, 0.25, 1, 2]", "[2, 0.25, 1, 2]"), HasSubstr("nodes: expected inputs from -1 to 1"));
-    EXPECT_THAT(errorOf(trees, "[0, -1, 3, 4]", "[0, -1, 1, 4]"), HasSubstr("must go on at later nodes"));
-    EXPECT_THAT(errorOf(trees, "[0, -1, 3, 4]", "[0, -1, 3, 5]"), HasSubstr("must go on at later nodes"));
-    EXPECT_THAT(errorOf(trees, "[0, -1, 3, 4]", "[0.5, -1, 3, 4]"), HasSubstr("whole numbers"));
+    EXPECT_THAT(errorOf(trees, "[0, -1.0, 3, 4]", "[0, -1.0, 1, 4]"), HasSubstr("must go on at later nodes"));
+    EXPECT_THAT(errorOf(trees, "[0, -1.0, 3, 4]", "[0, -1.0, 3, 5]"), HasSubstr("must go on at later nodes"));
+    EXPECT_THAT(errorOf(trees, "[0, -1.0, 3, 4]", "[0.5, -1.0, 3, 4]"), HasSubstr("whole numbers"));
     EXPECT_THAT(errorOf(trees, "output = 0", "output = 2"), HasSubstr("output: "));
     const auto other = parse(table, {"network"});
     ASSERT_FALSE(other);

@@ -58,7 +58,7 @@ TEST(LoggedViews, SayWhereSubjectsAreFromTheRobot) {
     const SensedState* const b = stateOf(subjects, 1);
     ASSERT_NE(b, nullptr);
     EXPECT_EQ(b->subject, SubjectKind::robot);
-    EXPECT_EQ(b->clearance, SensedState::clear) << "the landmark is farther aside than that";
+    EXPECT_NEAR(b->clearance, 0.7 / std::hypot(2, 0.1) - 0.05, 1e-9) << "beside the near landmark";
 }
 
 TEST(LoggedViews, ClearanceIsHowFarTheLinePassesBesideDiscs) {

@@ -34,7 +34,8 @@ Scenario eight(const RobotType& type, const std::shared_ptr<const MotionModel>& 
 }
 
 struct Sizes {
-    std::size_t all = 0, memories = 0;  ///< B; of the controllers' memories alone
+    std::size_t all = 0;
+    std::size_t memories = 0, sensing = 0;  ///< of that, the controllers' memories; what sensors remember, and the past
 };
 
 /// Of the largest copy within half a minute.
@@ -45,14 +46,14 @@ Sizes largestOf(const Scenario& scenario) {
     for (int k = 0; k < 1500; ++k) {
         step(scenario, state, buffers);
         const WorldState copy = state;
-        largest = {std::max(largest.all, heldBy(copy)), heldBy(copy.memory)};
+        largest = {std::max(largest.all, heldBy(copy)), heldBy(copy.memory), heldBy(copy.sensing) + heldBy(copy.past)};
         // Its bytes as written hold every field once, without what pads them.
         EXPECT_LE(stateBytes(copy).size(), heldBy(copy) + 200) << "a part is not counted";
     }
     return largest;
 }
 
-/// The world's part of a state fits for every robot that ships; what the controllers remember comes on top.
+/// The world's part of a state fits for every robot that ships; what controllers and sensors remember comes on top.
 TEST(StateSize, OfEightRobotsIsAtMostEightKilobytesAndOfTheirMemories768BytesEach) {
     const std::pair<const char*, std::shared_ptr<const Controller>> controllers[] = {
         {"random commands", std::make_shared<const RandomCommands>(-0.2, 0.5, 1)},
@@ -69,8 +70,9 @@ TEST(StateSize, OfEightRobotsIsAtMostEightKilobytesAndOfTheirMemories768BytesEac
     for (const auto& [name, type, model] : robots)
         for (const auto& [kind, controller] : controllers) {
             const Sizes sizes = largestOf(eight(type, model, controller));
-            EXPECT_LE(sizes.all - sizes.memories, 8192u) << name << " with " << kind;
+            EXPECT_LE(sizes.all - sizes.memories - sizes.sensing, 8192u) << name << " with " << kind;
             EXPECT_LE(sizes.memories, 8u * 768) << name << " with " << kind;
+            EXPECT_LE(sizes.sensing, 8u * 1280) << name << " with " << kind;
         }
 }
 
