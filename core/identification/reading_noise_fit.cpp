@@ -164,7 +164,9 @@ LastingPart lastingPart(const std::vector<Lagged>& lags) {
     LastingPart best;
     double least = 0;
     for (const Lagged& lag : lags) least += lag.weight * lag.correlation * lag.correlation;
-    for (double time = 0.2; time < 30; time *= 1.1) {
+    constexpr int times = 53;  // from 0.2 to 30 s
+    for (int i = 0; i < times; ++i) {
+        const double time = 0.2 * power(1.1, i);
         double product = 0, square = 0, error = 0;
         for (const Lagged& lag : lags) {
             const double left = decay(lag.seconds / time);

@@ -169,7 +169,9 @@ void SimulatedView::placeBodies(const SensorView& view) {
         return;
     }
     ownPlaces_.clear();
-    const auto [lag, earlier] = view.momentOf(view.measured);
+    const auto moment = view.momentOf(view.measured);
+    const std::int64_t lag = moment.lag;
+    const double earlier = moment.earlier;
     const auto placesBefore = [&](std::int64_t ticks, auto take) {
         if (ticks == 0)
             for (std::size_t body = 0; body < bodies; ++body) take(body, poseOf(view.state, body));

@@ -134,7 +134,8 @@ TEST(EnvironmentFile, EveryMistakeNamesItsPlace) {
         {"[[obstacle]]\nlandmark = \"6\"\ncircle = { radius_m = 1 }\n[[obstacle]]\nlandmark = \"6\"\n"
          "circle = { radius_m = 2 }",
          "f:8:12: obstacle[2].landmark: \"6\" is another obstacle's too"},
-        {"[[obstacle]]\nlandmark = 6\ncircle = { radius_m = 1 }", "f:5:12: obstacle[1].landmark: expected a text in quotes"},
+        {"[[obstacle]]\nlandmark = 6\ncircle = { radius_m = 1 }",
+         "f:5:12: obstacle[1].landmark: expected a text in quotes"},
         {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nlandmark = \"6\"",
          "f:7:12: wall[1].landmark: is not a known key; expected one of closed, colour, name, points_m, side, surface, "
          "thickness_m"},
