@@ -151,7 +151,8 @@ Expected<void> CsvLog::addRow(const CsvRows& rows, const CsvCells& cells, const 
     for (const CsvColumn column : {CsvColumn::robot, CsvColumn::trajectory, CsvColumn::group})
         if (cells.hasColumn(column) && cells[column] == nullptr) return failEmpty(rows, column);
     const auto nameIn = [&](CsvColumn column, std::string_view usual) {
-        return cells.hasColumn(column) ? cells[column]->text : usual;
+        const CsvCell* const cell = cells[column];
+        return cell != nullptr ? cell->text : usual;
     };
     const std::string_view robot = nameIn(CsvColumn::robot, defaultRobot);
     const std::string_view run = nameIn(CsvColumn::trajectory, defaultTrajectory);
