@@ -42,15 +42,14 @@ double meanDistanceToEven(double from, double reach) {
 
 double rankedProbabilityScore(const ReadingDistribution& predicted, int dimension, double error) {
     const auto d = static_cast<std::size_t>(dimension);
-    const std::span<const Component> components =
-        std::span(predicted.component).first(static_cast<std::size_t>(predicted.components));
     const double even = predicted.gross.share, reach = predicted.gross.reach[d];
     double toError = 0, apart = 0;
-    for (const Component& a : components) {
-        const double share = (1 - even) * a.share;
+    for (const Component& a : predicted.components()) {
+        const double share = (1 - even) * predicted.shareOf(a);
         toError += share * meanSize(a.mean[d] - error, a.spread[d]);
-        for (const Component& b : components)
-            apart += share * (1 - even) * b.share * meanSize(a.mean[d] - b.mean[d], together(a.spread[d], b.spread[d]));
+        for (const Component& b : predicted.components())
+            apart += share * (1 - even) * predicted.shareOf(b) *
+                     meanSize(a.mean[d] - b.mean[d], together(a.spread[d], b.spread[d]));
         if (even > 0) apart += 2 * share * even * meanDistanceToEven(a.mean[d], a.spread[d], reach);
     }
     if (even > 0) {
@@ -69,10 +68,8 @@ double errorQuantile(const ReadingDistribution& predicted, int dimension, double
         high = std::max(high, quantile);
     };
     const double normal = normalQuantile(share);
-    for (int k = 0; k < predicted.components; ++k) {
-        const Component& component = predicted.component[static_cast<std::size_t>(k)];
+    for (const Component& component : predicted.components())
         include(component.mean[d] + normal * component.spread[d]);
-    }
     if (predicted.gross.share > 0) include((2 * share - 1) * predicted.gross.reach[d]);
     while (high - low > 1e-7) {
         const double middle = 0.5 * (low + high);

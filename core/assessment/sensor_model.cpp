@@ -26,7 +26,7 @@ void LearnedSensorModel::distributions(std::span<const SensedState> states, cons
 
 IdealSensorModel::IdealSensorModel(const SensorNetwork& like, Noise noise) : latency_(like.latency), view_(like.view) {
     const bool noisy = noise == Noise::constant;
-    seen_.dimensions = like.form.dimensions;
+    seen_.form.dimensions = like.form.dimensions;
     if (noisy) seen_.gross = like.gross;
     for (std::size_t d = 0; d < ReadingForm::maxDimensions; ++d)
         seen_.component[0].spread[d] = std::max(noisy ? like.constant.spread[d] : 0, 1e-9);

@@ -49,14 +49,14 @@ public:
         std::size_t cases = 0;
         int epochs = 0;  ///< after which that was
     };
-    FoldScore validate(Half half, int fold) {
+    FoldScore validate(Half half, int fold, Regressor& regressor) {
         const Patterns learned = patternsOf(half, [&](int of) { return of != fold; });
         const Patterns heldOut = patternsOf(half, [&](int of) { return of == fold; });
         FoldScore score{0, heldOut.cases.size(), 0};
         if (options_.family == RegressorFamily::trees)
-            score.loss = meanLoss(grow(half, learned), heldOut, half);
+            score.loss = meanLoss(regressor = grow(half, learned), heldOut, half);
         else
-            fit(half, learned, heldOut, score);
+            regressor = fit(half, fold, learned, heldOut, score);
         return score;
     }
 
@@ -65,7 +65,7 @@ public:
         const Patterns all = patternsOf(half, [](int) { return true; });
         if (options_.family == RegressorFamily::trees) return grow(half, all);
         FoldScore fixed{0, 0, epochs};
-        return fit(half, all, all, fixed);
+        return fit(half, options_.folds, all, all, fixed);
     }
 
     /// Whether each fold has something to be judged by.
@@ -80,8 +80,9 @@ public:
 private:
     std::vector<NetworkVariable> outputsOf(Half half) const {
         const std::vector<NetworkVariable>& all = network_.learned.outputs;
-        return half == Half::reported ? std::vector(all.begin(), all.begin() + 1)
-                                      : std::vector(all.begin() + 1, all.end());
+        const auto member = all.begin() + ReadingForm::errors;
+        return half == Half::reported ? std::vector(all.begin(), member)
+                                      : std::vector(member, member + network_.form.memberOutputs());
     }
 
     template <class Takes>
@@ -113,17 +114,12 @@ private:
             };
         else
             patterns.data.loss = [&cases, &of, this](std::size_t p, std::span<const double> values, double* gradient) {
-                std::array<double, LearnedNetwork::maxOutputs> all, slope;
-                std::copy(values.begin(), values.end(), all.begin() + 1);
-                const double loss =
-                    errorLoss(network_.form, all.data(), network_.gross, cases[of[p]].error, slope.data());
-                std::copy_n(slope.begin() + 1, values.size(), gradient);
-                return loss;
+                return errorLoss(network_.form, values.data(), network_.gross, cases[of[p]].error, gradient);
             };
     }
 
     /// With score.epochs as many as that, otherwise as many as predict best what is held out.
-    Regressor fit(Half half, Patterns learned, Patterns heldOut, FoldScore& score) {
+    Regressor fit(Half half, int part, Patterns learned, Patterns heldOut, FoldScore& score) {
         setLoss(half, learned);
         setLoss(half, heldOut);
         const SensorHalfOptions& how = half == Half::reported ? options_.reported : options_.error;
@@ -137,7 +133,7 @@ private:
         if (options_.family == RegressorFamily::network) {
             training.weightDecay = how.weightDecay;
             NetworkLikelihood objective(learned.data, heldOut.data, how.hidden);
-            const std::uint64_t seed = 2 * options_.seed + static_cast<std::uint64_t>(half);
+            const std::uint64_t seed = 64 * options_.seed + 2 * static_cast<std::uint64_t>(part) + static_cast<std::uint64_t>(half);
             Mlp network =
                 randomMlp(objective.engine()->shape(), {.seed = seed, .hiddenScale = 1.5, .outputScale = 0.3});
             forgetUnread(half, network);
@@ -246,10 +242,9 @@ GrossErrors findGross(const SensorSamples& samples, int dimensions, const Readin
         ++wrong;
         for (std::size_t d = 0; d < each; ++d) gross.reach[d] = std::max(gross.reach[d], std::abs(one.error[d]));
     }
-    // A pose may be mistaken for one farther away than any so far; readings have a view.
+    // one may yet be farther off than any so far
     constexpr double farther = 1.5;
-    if (dimensions == 3)
-        for (double& reach : gross.reach) reach *= farther;
+    for (double& reach : gross.reach) reach *= farther;
     const auto readings = std::ranges::count_if(samples.cases, &SensorCase::reported);
     gross.share = (static_cast<double>(wrong) + 0.5) / (static_cast<double>(readings) + 1);
     return gross;
@@ -263,7 +258,13 @@ void findOutputScales(SensorNetwork& network, const SensorSamples& samples, cons
     const double readings = static_cast<double>(samples.readings());
     const double cases = static_cast<double>(samples.cases.size());
     outputs[ReadingForm::reported].mean = normalQuantile(std::min(readings, cases - 0.5) / cases);
-    const auto at = [&](int i) -> NetworkVariable& { return outputs[static_cast<std::size_t>(i)]; };
+    const auto setAll = [&](int i, double mean, double scale) {
+        for (int m = 0; m < network.form.members; ++m) {
+            const int place = ReadingForm::errors + m * network.form.memberOutputs() + i;
+            outputs[static_cast<std::size_t>(place)].mean = mean;
+            outputs[static_cast<std::size_t>(place)].scale = scale;
+        }
+    };
     for (int d = 0; d < network.form.dimensions; ++d) {
         const auto i = static_cast<std::size_t>(d);
         double sum = 0, squares = 0, count = 0;
@@ -276,13 +277,13 @@ void findOutputScales(SensorNetwork& network, const SensorSamples& samples, cons
         visit([&](double error) { squares += (error - mean) * (error - mean); });
         const double deviation = std::sqrt(squares / count);
         for (int k = 0; k < network.form.components; ++k) {
-            at(network.form.errorOf(k, d)).mean = mean;
-            at(network.form.errorOf(k, d)).scale = deviation;
+            setAll(network.form.errorOf(k, d), mean, deviation);
             // components begin of different widths, so that each finds its part
-            at(network.form.spreadOf(k, d)).mean = logarithm(deviation) + 0.7 * k - 0.3 * (network.form.components - 1);
+            const double width = 0.7 * k - 0.3 * (network.form.components - 1);
+            setAll(network.form.spreadOf(k, d), logarithm(deviation) + width, 1);
         }
     }
-    for (int k = 1; k < network.form.components; ++k) at(network.form.shareOf(k)).mean = -1;
+    for (int k = 1; k < network.form.components; ++k) setAll(network.form.shareOf(k), -1, 1);
 }
 
 /// The middle one of what was best for the folds.
@@ -303,6 +304,7 @@ Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const Sensor
     network.robots = samples.robots;
     network.form.dimensions = static_cast<int>(dimensionsOf(network.measures).size());
     network.form.components = options.family == RegressorFamily::network ? options.components : 1;
+    network.form.members = options.family == RegressorFamily::network && options.members ? options.folds : 1;
     const ReadingError bounds = soundBounds(samples, network.form.dimensions);
     network.gross = findGross(samples, network.form.dimensions, bounds);
     network.constant = fitConstantNoise(network, samples);
@@ -315,17 +317,20 @@ Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const Sensor
     const double steps = 2.0 * (options.folds + 1);
     double done = 0;
     std::array<int, 2> epochs{};
+    std::vector<Regressor> members;  // of the errors
     for (const Half half : {Half::reported, Half::error}) {
         std::vector<int> best;
+        std::vector<Regressor> ofFolds(static_cast<std::size_t>(options.folds));
         double score = 0, cases = 0;
         for (int fold = 0; fold < options.folds; ++fold) {
             if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");
-            const auto found = learner.validate(half, fold);
+            const auto found = learner.validate(half, fold, ofFolds[static_cast<std::size_t>(fold)]);
             best.push_back(found.epochs);
             score -= found.loss * static_cast<double>(found.cases);
             cases += static_cast<double>(found.cases);
         }
         epochs[static_cast<std::size_t>(half)] = usualEpochs(best);
+        if (half == Half::error && network.form.members > 1) members = std::move(ofFolds);
         (half == Half::reported ? network.heldOut.reported : network.heldOut.error) = score / cases;
         (half == Half::reported ? network.heldOut.cases : network.heldOut.readings) = static_cast<std::int64_t>(cases);
     }
@@ -334,7 +339,10 @@ Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const Sensor
     if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");
     const Regressor reported = learner.learn(Half::reported, epochs[0]);
     if (!mayGoOn(progress, done++ / steps)) return fail("", "was not learned from: cancelled");
-    network.learned.regressor = sideBySide(reported, learner.learn(Half::error, epochs[1]));
+    if (members.empty()) members.push_back(learner.learn(Half::error, epochs[1]));
+    network.learned.regressor = reported;
+    for (const Regressor& member : members)
+        network.learned.regressor = sideBySide(network.learned.regressor, member);
     network.learned.training.method = options.family == RegressorFamily::trees ? "trees" : "irprop+";
     network.learned.training.loss = "likelihood";
     network.learned.training.seed = options.seed;

@@ -23,6 +23,7 @@ struct SensorTrainerOptions {
     RegressorFamily family = RegressorFamily::network;
     int components = 4;  ///< of the mixture; tables and trees have 1
     int folds = 4;
+    bool members = false;  ///< errors by one member for each fold
     SensorHalfOptions reported{.hidden = 16, .epochs = 400, .weightDecay = 1e-3};
     SensorHalfOptions error{.hidden = 28, .epochs = 1300, .weightDecay = 2e-3};
     int patience = 300;       ///< epochs without a better held-out likelihood after which a fold ends

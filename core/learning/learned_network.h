@@ -38,7 +38,7 @@ struct NetworkTraining {
 
 /// A learned mapping as a value: what is the same in all network files, whatever the mapping is for.
 struct LearnedNetwork {
-    static constexpr std::size_t maxInputs = 256, maxOutputs = 64, maxHidden = 4096, maxTrees = 4096;
+    static constexpr std::size_t maxInputs = 256, maxOutputs = 256, maxHidden = 4096, maxTrees = 4096;
 
     std::string kind;        ///< what it is a mapping of: "motion"
     bool synthetic = false;  ///< learned from data that no real robot made

@@ -54,6 +54,61 @@ DecisionTrees withOutputs(const DecisionTrees& trees, int first, int count) {
     return part;
 }
 
+std::vector<bool> readInputs(const Mlp& mlp) {
+    const auto [inputs, hidden, outputs] = mlp.shape;
+    std::vector<bool> read(static_cast<std::size_t>(inputs));
+    for (int j = 0; j < hidden; ++j)
+        for (int i = 0; i < inputs; ++i)
+            if (mlp.parameters[static_cast<std::size_t>(j * inputs + i)] != 0) read[static_cast<std::size_t>(i)] = true;
+    return read;
+}
+
+std::vector<bool> readInputs(const LookupTable& table) {
+    std::vector<bool> read(static_cast<std::size_t>(table.inputs));
+    for (const LookupTable::Grid& grid : table.grids)
+        for (const LookupTable::Axis& axis : grid.axes) read[static_cast<std::size_t>(axis.input)] = true;
+    return read;
+}
+
+std::vector<bool> readInputs(const DecisionTrees& trees) {
+    std::vector<bool> read(static_cast<std::size_t>(trees.inputs));
+    for (const DecisionTrees::Tree& tree : trees.trees)
+        for (const DecisionTrees::Node& node : tree.nodes)
+            if (node.input >= 0) read[static_cast<std::size_t>(node.input)] = true;
+    return read;
+}
+
+Mlp withInputs(const Mlp& mlp, std::span<const int> kept) {
+    const auto [inputs, hidden, outputs] = mlp.shape;
+    Mlp part{{static_cast<int>(kept.size()), hidden, outputs}, {}};
+    for (int j = 0; j < hidden; ++j)
+        for (const int i : kept) part.parameters.push_back(mlp.parameters[static_cast<std::size_t>(j * inputs + i)]);
+    part.parameters.insert(part.parameters.end(), mlp.parameters.begin() + hidden * inputs, mlp.parameters.end());
+    return part;
+}
+
+/// By where an input is among those that are kept.
+int placeOf(int input, std::span<const int> kept) {
+    return static_cast<int>(std::lower_bound(kept.begin(), kept.end(), input) - kept.begin());
+}
+
+LookupTable withInputs(const LookupTable& table, std::span<const int> kept) {
+    LookupTable part = table;
+    part.inputs = static_cast<int>(kept.size());
+    for (LookupTable::Grid& grid : part.grids)
+        for (LookupTable::Axis& axis : grid.axes) axis.input = placeOf(axis.input, kept);
+    return part;
+}
+
+DecisionTrees withInputs(const DecisionTrees& trees, std::span<const int> kept) {
+    DecisionTrees part = trees;
+    part.inputs = static_cast<int>(kept.size());
+    for (DecisionTrees::Tree& tree : part.trees)
+        for (DecisionTrees::Node& node : tree.nodes)
+            if (node.input >= 0) node.input = placeOf(node.input, kept);
+    return part;
+}
+
 Mlp sideBySide(const Mlp& a, const Mlp& b) {
     const int inputs = a.shape.inputs, hidden = a.shape.hidden + b.shape.hidden;
     Mlp both{{inputs, hidden, a.shape.outputs + b.shape.outputs}, {}};
@@ -124,6 +179,18 @@ int outputsOf(const Regressor& regressor) {
 
 Regressor withOutputs(const Regressor& regressor, int first, int count) {
     return std::visit([&](const auto& of) -> Regressor { return withOutputs(of, first, count); }, regressor);
+}
+
+std::vector<int> inputsReadBy(const Regressor& regressor) {
+    const std::vector<bool> read = std::visit([](const auto& of) { return readInputs(of); }, regressor);
+    std::vector<int> which;
+    for (std::size_t i = 0; i < read.size(); ++i)
+        if (read[i]) which.push_back(static_cast<int>(i));
+    return which;
+}
+
+Regressor withInputs(const Regressor& regressor, std::span<const int> kept) {
+    return std::visit([&](const auto& of) -> Regressor { return withInputs(of, kept); }, regressor);
 }
 
 Regressor sideBySide(const Regressor& first, const Regressor& second) {

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "learning/decision_trees.h"
 #include "learning/lookup_table.h"
@@ -28,6 +30,12 @@ int outputsOf(const Regressor& regressor);
 
 /// The same mapping to `count` of its outputs from `first` on, without what none of them needs.
 Regressor withOutputs(const Regressor& regressor, int first, int count);
+
+/// Which inputs it depends on at all, ascending.
+std::vector<int> inputsReadBy(const Regressor& regressor);
+
+/// The same mapping of `kept` of its inputs, ascending, which hold all that it reads.
+Regressor withInputs(const Regressor& regressor, std::span<const int> kept);
 
 /// One mapping to the outputs of both, the first's before the second's: they are of one family and have equal inputs.
 Regressor sideBySide(const Regressor& first, const Regressor& second);

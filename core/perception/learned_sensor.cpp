@@ -11,15 +11,34 @@ namespace {
 // Rows that are evaluated at once.
 constexpr std::size_t chunk = 16;
 using Rows = std::array<float, chunk * LearnedNetwork::maxInputs>;
-using Outputs = std::array<float, chunk * LearnedNetwork::maxOutputs>;
+using Row = std::array<float, LearnedNetwork::maxInputs>;
+using Values = std::array<double, LearnedNetwork::maxOutputs>;
+
+std::vector<int> neededInputs(const SensorNetwork& network, int first, int count) {
+    std::vector<int> needed = inputsReadBy(withOutputs(network.learned.regressor, first, count));
+    if (needed.empty()) needed.push_back(0);
+    return needed;
+}
+
+std::vector<NetworkVariable> chosen(const std::vector<NetworkVariable>& variables, const std::vector<int>& which) {
+    std::vector<NetworkVariable> some;
+    for (const int i : which) some.push_back(variables[static_cast<std::size_t>(i)]);
+    return some;
+}
 
 }  // namespace
 
+LearnedSensor::Part::Part(const SensorNetwork& network, int first, int count, int memberCount)
+    : inputs(chosen(network.learned.inputs, neededInputs(network, first, count * memberCount)), network.robots) {
+    const std::vector<int> needed = neededInputs(network, first, count * memberCount);
+    for (int m = 0; m < memberCount; ++m)
+        members.emplace_back(withInputs(withOutputs(network.learned.regressor, first + m * count, count), needed));
+}
+
 LearnedSensor::LearnedSensor(SensorNetwork network)
     : network_(std::move(network)),
-      inputs_(network_.learned.inputs, network_.robots),
-      reported_(withOutputs(network_.learned.regressor, 0, 1)),
-      errors_(withOutputs(network_.learned.regressor, 1, network_.form.outputs() - 1)) {}
+      reported_(network_, ReadingForm::reported, 1, 1),
+      errors_(network_, ReadingForm::errors, network_.form.memberOutputs(), network_.form.members) {}
 
 int LearnedSensor::robotIndex(const std::string& name) const {
     const auto found = std::find(network_.robots.begin(), network_.robots.end(), name);
@@ -32,64 +51,73 @@ bool LearnedSensor::inView(const SensedState& state) const {
     return known && network_.view.margin().holds(state.range, state.bearing);
 }
 
-void LearnedSensor::readInputs(std::span<const SensedState> states, int robot, float* rows) const {
-    for (const SensedState& state : states) {
-        inputs_.read(state, robot, rows);
-        rows += inputs_.width();
-    }
-}
-
-void LearnedSensor::describe(const float* outputs, std::size_t first, std::span<double> values) const {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const NetworkVariable& output = network_.learned.outputs[first + i];
-        values[i] = output.mean + output.scale * static_cast<double>(outputs[i]);
+void LearnedSensor::describe(const float* outputs, int first, std::span<double> values) const {
+    const NetworkVariable* output = network_.learned.outputs.data() + first;
+    for (double& value : values) {
+        value = output->mean + output->scale * static_cast<double>(*outputs++);
+        ++output;
     }
 }
 
 void LearnedSensor::distributions(std::span<const SensedState> states, int robot,
                                   std::span<ReadingDistribution> to) const {
     assert(states.size() == to.size());
-    const auto width = static_cast<std::size_t>(network_.form.outputs()), others = width - 1;
+    const int each = network_.form.memberOutputs();
+    Row row;
+    std::array<float, LearnedNetwork::maxOutputs> outputs;
+    Values values;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        reported_.inputs.read(states[i], robot, row.data());
+        reported_.members[0].one(row.data(), outputs.data());
+        errors_.inputs.read(states[i], robot, row.data());
+        int first = ReadingForm::errors;
+        for (const RegressorInference& member : errors_.members) {
+            member.one(row.data(), outputs.data() + first);
+            first += each;
+        }
+        const auto all = std::span(values).first(network_.learned.outputs.size());
+        describe(outputs.data(), 0, all);
+        to[i] = ReadingDistribution::of(network_.form, all, network_.gross);
+    }
+}
+
+void LearnedSensor::reported(std::span<const SensedState> states, int robot, std::span<const double> numbers,
+                             std::vector<std::uint32_t>& which) const {
+    assert(states.size() == numbers.size());
     Rows rows;
-    Outputs reported, errors;
-    std::array<double, LearnedNetwork::maxOutputs> values;
+    std::array<float, chunk> outputs;
     for (std::size_t begin = 0; begin < states.size(); begin += chunk) {
         const std::size_t count = std::min(chunk, states.size() - begin);
-        readInputs(states.subspan(begin, count), robot, rows.data());
-        reported_.batch(rows.data(), reported.data(), count);
-        errors_.batch(rows.data(), errors.data(), count);
+        for (std::size_t i = 0; i < count; ++i)
+            reported_.inputs.read(states[begin + i], robot, &rows[i * reported_.inputs.width()]);
+        reported_.members[0].batch(rows.data(), outputs.data(), count);
         for (std::size_t i = 0; i < count; ++i) {
-            describe(&reported[i], 0, std::span(values).first(1));
-            describe(&errors[i * others], 1, std::span(values).subspan(1, others));
-            to[begin + i] = ReadingDistribution::of(network_.form, std::span(values).first(width), network_.gross);
+            double threshold = 0;
+            describe(&outputs[i], ReadingForm::reported, {&threshold, 1});
+            if (numbers[begin + i] < threshold) which.push_back(static_cast<std::uint32_t>(begin + i));
         }
     }
 }
 
-void LearnedSensor::report(std::span<const SensedState> states, int robot, std::span<const ReadingDraw> draws,
-                           std::vector<Report>& to) const {
-    assert(states.size() == draws.size());
-    const std::size_t width = inputs_.width(), others = static_cast<std::size_t>(network_.form.outputs()) - 1;
-    Rows rows;
-    Outputs outputs;
-    std::array<double, LearnedNetwork::maxOutputs> values;
-    for (std::size_t begin = 0; begin < states.size(); begin += chunk) {
-        const std::size_t count = std::min(chunk, states.size() - begin), known = to.size();
-        readInputs(states.subspan(begin, count), robot, rows.data());
-        reported_.batch(rows.data(), outputs.data(), count);
-        for (std::size_t i = 0; i < count; ++i) {
-            describe(&outputs[i], 0, std::span(values).first(1));
-            if (!(draws[begin + i].reported < values[0])) continue;
-            std::copy_n(&rows[i * width], width, &rows[(to.size() - known) * width]);
-            to.push_back({begin + i, {}});
+void LearnedSensor::errors(std::span<const SensedState> states, std::span<const std::uint32_t> which, int robot,
+                           std::span<const ReadingDraw> draws, std::span<ReadingError> to) const {
+    assert(which.size() == draws.size() && which.size() == to.size());
+    const ReadingForm& form = network_.form;
+    const int each = form.memberOutputs();
+    Row row;
+    std::array<float, LearnedNetwork::maxOutputs> outputs;
+    Values values;
+    for (std::size_t i = 0; i < which.size(); ++i) {
+        const MemberDraw of = memberOf(draws[i], form, network_.gross);
+        if (of.member < 0) {
+            to[i] = grossError(form, network_.gross, draws[i]);
+            continue;
         }
-        errors_.batch(rows.data(), outputs.data(), to.size() - known);
-        for (std::size_t i = known; i < to.size(); ++i) {
-            describe(&outputs[(i - known) * others], 1, std::span(values).subspan(1, others));
-            const auto distribution =
-                ReadingDistribution::of(network_.form, std::span(values).first(others + 1), network_.gross);
-            to[i].error = distribution.error(draws[to[i].state]);
-        }
+        errors_.inputs.read(states[which[i]], robot, row.data());
+        errors_.members[static_cast<std::size_t>(of.member)].one(row.data(), outputs.data());
+        describe(outputs.data(), ReadingForm::errors + of.member * each,
+                 std::span(values).first(static_cast<std::size_t>(each)));
+        to[i] = memberError(form, values.data(), draws[i], of.which);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,24 +28,29 @@ public:
     /// The distribution of the reading of each state, which is in view (or of the own pose). `robot`: by robotIndex().
     void distributions(std::span<const SensedState> states, int robot, std::span<ReadingDistribution> to) const;
 
-    /// A reading of a state: which one it is, and its error.
-    struct Report {
-        std::size_t state = 0;
-        ReadingError error{};
-    };
-    /// What is reported of the states, which are in view, in their order, by a draw for each: distributions()
-    /// evaluated only as far as it is needed.
-    void report(std::span<const SensedState> states, int robot, std::span<const ReadingDraw> draws,
-                std::vector<Report>& to) const;
+    /// Of which states, which are in view, there is a reading, by ReadingDraw::reported of each: their places are
+    /// appended, in their order.
+    void reported(std::span<const SensedState> states, int robot, std::span<const double> numbers,
+                  std::vector<std::uint32_t>& which) const;
+    /// The errors of the readings of `which` of the states, by a draw for each: of distributions(), evaluated only as
+    /// far as they need it.
+    void errors(std::span<const SensedState> states, std::span<const std::uint32_t> which, int robot,
+                std::span<const ReadingDraw> draws, std::span<ReadingError> to) const;
 
 private:
-    void readInputs(std::span<const SensedState> states, int robot, float* rows) const;
-    /// In their units.
-    void describe(const float* outputs, std::size_t first, std::span<double> values) const;
+    /// Some of the network's outputs, by the inputs that any of them needs.
+    struct Part {
+        Part(const SensorNetwork& network, int first, int count, int members);
+
+        SensorInputs inputs;
+        std::vector<RegressorInference> members;  ///< `count` outputs each
+    };
+
+    /// Outputs in their units.
+    void describe(const float* outputs, int first, std::span<double> values) const;
 
     SensorNetwork network_;
-    SensorInputs inputs_;
-    RegressorInference reported_, errors_;  ///< the first output, and the others
+    Part reported_, errors_;
 };
 
 }  // namespace mrose

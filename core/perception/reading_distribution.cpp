@@ -24,6 +24,14 @@ void shares(const ReadingForm& form, const double* values, double* share) {
 
 double spreadFrom(double logarithm) { return exponential(std::clamp(logarithm, leastSpread, mostSpread)); }
 
+/// Which of some, by their shares and a number in [0, 1).
+template <class ShareOf>
+int chosen(int count, double which, const ShareOf& shareOf) {
+    int k = 0;
+    while (k + 1 < count && which >= shareOf(k)) which -= shareOf(k++);
+    return k;
+}
+
 }  // namespace
 
 double GrossErrors::density(int dimensions) const {
@@ -36,19 +44,21 @@ ReadingDistribution ReadingDistribution::of(const ReadingForm& form, std::span<c
                                             const GrossErrors& gross) {
     assert(static_cast<int>(values.size()) == form.outputs());
     ReadingDistribution result;
-    result.dimensions = form.dimensions;
-    result.components = form.components;
+    result.form = form;
     result.threshold = values[ReadingForm::reported];
     result.gross = gross;
-    double share[ReadingForm::maxComponents];
-    shares(form, values.data(), share);
-    for (int k = 0; k < form.components; ++k) {
-        Component& component = result.component[static_cast<std::size_t>(k)];
-        component.share = share[k];
-        for (int d = 0; d < form.dimensions; ++d) {
-            const auto i = static_cast<std::size_t>(d);
-            component.mean[i] = values[static_cast<std::size_t>(form.errorOf(k, d))];
-            component.spread[i] = spreadFrom(values[static_cast<std::size_t>(form.spreadOf(k, d))]);
+    Component* component = result.component.data();
+    for (int m = 0; m < form.members; ++m) {
+        const double* const own = values.data() + ReadingForm::errors + m * form.memberOutputs();
+        double share[ReadingForm::maxComponents];
+        shares(form, own, share);
+        for (int k = 0; k < form.components; ++k, ++component) {
+            component->share = share[k];
+            for (int d = 0; d < form.dimensions; ++d) {
+                const auto i = static_cast<std::size_t>(d);
+                component->mean[i] = own[form.errorOf(k, d)];
+                component->spread[i] = spreadFrom(own[form.spreadOf(k, d)]);
+            }
         }
     }
     return result;
@@ -57,37 +67,30 @@ ReadingDistribution ReadingDistribution::of(const ReadingForm& form, std::span<c
 double ReadingDistribution::probability() const { return normalProbability(threshold); }
 
 double ReadingDistribution::density(const ReadingError& error) const {
+    const auto dimensions = static_cast<std::size_t>(form.dimensions);
     double sum = 0;
     bool within = true;
-    for (int k = 0; k < components; ++k) {
-        const Component& c = component[static_cast<std::size_t>(k)];
-        double density = c.share;
-        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
+    for (const Component& c : components()) {
+        double density = shareOf(c);
+        for (std::size_t d = 0; d < dimensions; ++d)
             density *= normalDensity((error[d] - c.mean[d]) / c.spread[d]) / c.spread[d];
         sum += density;
     }
-    for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
-        within = within && std::abs(error[d]) <= gross.reach[d];
-    return (1 - gross.share) * sum + (within && gross.share > 0 ? gross.share * gross.density(dimensions) : 0);
+    for (std::size_t d = 0; d < dimensions; ++d) within = within && std::abs(error[d]) <= gross.reach[d];
+    return (1 - gross.share) * sum + (within && gross.share > 0 ? gross.share * gross.density(form.dimensions) : 0);
 }
 
 double ReadingDistribution::probabilityBelow(int dimension, double error) const {
     const auto d = static_cast<std::size_t>(dimension);
     double sum = 0;
-    for (int k = 0; k < components; ++k) {
-        const Component& c = component[static_cast<std::size_t>(k)];
-        sum += c.share * normalProbability((error - c.mean[d]) / c.spread[d]);
-    }
+    for (const Component& c : components()) sum += shareOf(c) * normalProbability((error - c.mean[d]) / c.spread[d]);
     if (gross.share == 0) return sum;
     return (1 - gross.share) * sum + gross.share * std::clamp(0.5 + 0.5 * error / gross.reach[d], 0.0, 1.0);
 }
 
 double ReadingDistribution::mean(int dimension) const {
     double sum = 0;
-    for (int k = 0; k < components; ++k) {
-        const Component& c = component[static_cast<std::size_t>(k)];
-        sum += c.share * c.mean[static_cast<std::size_t>(dimension)];
-    }
+    for (const Component& c : components()) sum += shareOf(c) * c.mean[static_cast<std::size_t>(dimension)];
     return (1 - gross.share) * sum;
 }
 
@@ -95,26 +98,44 @@ double ReadingDistribution::deviation(int dimension) const {
     const auto d = static_cast<std::size_t>(dimension);
     const double average = mean(dimension);
     double sum = 0;
-    for (int k = 0; k < components; ++k) {
-        const Component& c = component[static_cast<std::size_t>(k)];
-        sum += c.share * (c.spread[d] * c.spread[d] + c.mean[d] * c.mean[d]);
-    }
+    for (const Component& c : components()) sum += shareOf(c) * (c.spread[d] * c.spread[d] + c.mean[d] * c.mean[d]);
     const double even = gross.share > 0 ? gross.share * gross.reach[d] * gross.reach[d] / 3 : 0;
     return std::sqrt((1 - gross.share) * sum + even - average * average);
 }
 
 ReadingError ReadingDistribution::error(const ReadingDraw& draw) const {
+    const MemberDraw of = memberOf(draw, form, gross);
+    if (of.member < 0) return grossError(form, gross, draw);
+    const Component* const own = component.data() + of.member * form.components;
+    const int k = chosen(form.components, of.which, [&](int i) { return own[i].share; });
     ReadingError error{};
-    if (draw.which < gross.share) {
-        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
-            error[d] = gross.reach[d] * (2 * normalProbability(draw.error[d]) - 1);
-        return error;
-    }
-    double left = (draw.which - gross.share) / (1 - gross.share);
-    std::size_t k = 0;
-    while (k + 1 < static_cast<std::size_t>(components) && left >= component[k].share) left -= component[k++].share;
-    for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
-        error[d] = component[k].mean[d] + component[k].spread[d] * draw.error[d];
+    for (std::size_t d = 0; d < static_cast<std::size_t>(form.dimensions); ++d)
+        error[d] = own[k].mean[d] + own[k].spread[d] * draw.error[d];
+    return error;
+}
+
+MemberDraw memberOf(const ReadingDraw& draw, const ReadingForm& form, const GrossErrors& gross) {
+    if (draw.which < gross.share) return {-1, 0};
+    const double place = form.members * ((draw.which - gross.share) / (1 - gross.share));
+    const int member = std::min(static_cast<int>(place), form.members - 1);
+    return {member, place - member};
+}
+
+ReadingError memberError(const ReadingForm& form, const double* values, const ReadingDraw& draw, double which) {
+    double share[ReadingForm::maxComponents];
+    shares(form, values, share);
+    const int k = chosen(form.components, which, [&](int i) { return share[i]; });
+    ReadingError error{};
+    for (int d = 0; d < form.dimensions; ++d)
+        error[static_cast<std::size_t>(d)] =
+            values[form.errorOf(k, d)] + spreadFrom(values[form.spreadOf(k, d)]) * draw.error[static_cast<std::size_t>(d)];
+    return error;
+}
+
+ReadingError grossError(const ReadingForm& form, const GrossErrors& gross, const ReadingDraw& draw) {
+    ReadingError error{};
+    for (std::size_t d = 0; d < static_cast<std::size_t>(form.dimensions); ++d)
+        error[d] = gross.reach[d] * (2 * normalProbability(draw.error[d]) - 1);
     return error;
 }
 
@@ -147,7 +168,6 @@ double errorLoss(const ReadingForm& form, const double* values, const GrossError
     double sum = within ? exponential(grossPart - most) : 0, proper = 0;
     for (int k = 0; k < form.components; ++k) sum += part[k] = exponential(part[k] - most);
     for (int k = 0; k < form.components; ++k) proper += part[k] /= sum;
-    gradient[ReadingForm::reported] = 0;
     for (int k = 0; k < form.components; ++k) {
         if (k > 0) gradient[form.shareOf(k)] = share[k] * proper - part[k];
         for (int d = 0; d < form.dimensions; ++d) {

@@ -28,12 +28,17 @@ inline constexpr std::size_t readingChannels = 1 + ReadingForm::maxDimensions;
 using ReadingNoises = std::array<ReadingNoise, readingChannels>;
 using ChannelNumbers = std::array<double, readingChannels>;
 
-/// A part that lasts, `seconds` after it was `before`, from a new standard normal number: in its exact discretisation,
-/// standard normal itself if `before` was.
-inline double lasting(double before, double seconds, double time, double normal) {
-    const double kept = decay(seconds / time);
-    return kept * before + std::sqrt(1 - kept * kept) * normal;
-}
+/// How a part that lasts goes on: in its exact discretisation, standard normal itself if it was before.
+struct Lasting {
+    double kept = 0, added = 1;  ///< by default as one that begins
+
+    static Lasting after(double seconds, double time) {
+        const double kept = decay(seconds / time);
+        return {kept, std::sqrt(1 - kept * kept)};
+    }
+    /// From a new standard normal number.
+    double next(double before, double normal) const { return kept * before + added * normal; }
+};
 
 /// The parts' standard deviations.
 struct NoiseWeights {

@@ -69,23 +69,28 @@ std::string SensorInputs::objection(std::span<const NetworkVariable> inputs, std
 }
 
 SensorInputs::SensorInputs(std::span<const NetworkVariable> inputs, std::span<const std::string> robots) {
-    for (const NetworkVariable& input : inputs) {
-        const SensorQuantity* const quantity = quantityOf(input.name);
-        parts_.push_back(
-            {quantity != nullptr ? quantity->of : nullptr, robotOf(input.name, robots), input.mean, 1 / input.scale});
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (const SensorQuantity* const quantity = quantityOf(inputs[i].name))
+            parts_.push_back({i, quantity->of, inputs[i].mean, 1 / inputs[i].scale});
+    for (int robot = -1; robot < static_cast<int>(robots.size()); ++robot) {
+        std::vector<double>& raw = raw_.emplace_back();
+        std::vector<float>& row = rows_.emplace_back();
+        for (const NetworkVariable& input : inputs) {
+            raw.push_back(robot < 0 ? input.mean : robotOf(input.name, robots) == robot ? 1 : 0);
+            row.push_back(static_cast<float>((raw.back() - input.mean) / input.scale));
+        }
     }
 }
 
 void SensorInputs::readRaw(const SensedState& state, int robot, double* row) const {
-    for (const Part& part : parts_)
-        *row++ = part.of != nullptr ? part.of(state) : robot < 0 ? part.mean : part.robot == robot ? 1 : 0;
+    std::ranges::copy(raw_.of(robot), row);
+    for (const Part& part : parts_) row[part.input] = part.of(state);
 }
 
 void SensorInputs::read(const SensedState& state, int robot, float* row) const {
-    for (const Part& part : parts_) {
-        const double value = part.of != nullptr ? part.of(state) : robot < 0 ? part.mean : part.robot == robot ? 1 : 0;
-        *row++ = static_cast<float>((value - part.mean) * part.inverseScale);
-    }
+    std::ranges::copy(rows_.of(robot), row);
+    for (const Part& part : parts_)
+        row[part.input] = static_cast<float>((part.of(state) - part.mean) * part.inverseScale);
 }
 
 }  // namespace mrose

@@ -33,19 +33,27 @@ public:
     /// Inputs without objection.
     SensorInputs(std::span<const NetworkVariable> inputs, std::span<const std::string> robots);
 
-    std::size_t width() const { return parts_.size(); }
+    std::size_t width() const { return rows_.of(-1).size(); }
     /// Writes width() standardised inputs. `robot`: an index into the robots, -1 for any other one.
     void read(const SensedState& state, int robot, float* row) const;
     /// The same without standardisation, for finding means and scales; the mean of an unknown robot is 0.
     void readRaw(const SensedState& state, int robot, double* row) const;
 
 private:
+    /// What changes from state to state.
     struct Part {
-        double (*of)(const SensedState& state) = nullptr;  ///< null: whether it is `robot`
-        int robot = -1;
+        std::size_t input = 0;
+        double (*of)(const SensedState& state) = nullptr;
         double mean = 0, inverseScale = 1;
     };
+    template <class Number>
+    struct Rows : std::vector<std::vector<Number>> {
+        const std::vector<Number>& of(int robot) const { return (*this)[static_cast<std::size_t>(robot + 1)]; }
+    };
+
     std::vector<Part> parts_;
+    Rows<double> raw_;  ///< with what does not change: by robot, from -1 on
+    Rows<float> rows_;  ///< the same, standardised
 };
 
 }  // namespace mrose

@@ -53,7 +53,7 @@ std::string sectionText(const SensorNetwork& n) {
     if (n.measures == Measures::subjects)
         text += line("subjects", listText(subjectsOf(n))) + line("range_m", n.view.range) +
                 line("field_of_view_rad", n.view.fieldOfView);
-    text += line("components", std::to_string(n.form.components));
+    text += line("components", std::to_string(n.form.components)) + line("members", std::to_string(n.form.members));
     text += "gross_errors = { share = " + numberText(n.gross.share);
     for (int d = 0; d < n.form.dimensions; ++d) {
         const auto i = static_cast<std::size_t>(d);
@@ -157,6 +157,7 @@ void readSection(TomlTable& table, const LearnedNetwork& learned, SensorNetwork&
     network.form.dimensions = static_cast<int>(dimensionsOf(network.measures).size());
     network.form.components =
         static_cast<int>(table.integer("components", 1, std::int64_t{ReadingForm::maxComponents}));
+    network.form.members = static_cast<int>(table.integer("members", 1, std::int64_t{ReadingForm::maxMembers}));
     readGross(table.table("gross_errors"), network);
     readConstant(table.table("constant"), network);
     readHeldOut(table.table("held_out_score"), network.heldOut);
@@ -174,16 +175,17 @@ std::span<const ReadingDimension> dimensionsOf(Measures measures) {
 std::vector<NetworkVariable> sensorOutputs(Measures measures, const ReadingForm& form) {
     std::vector<NetworkVariable> outputs(static_cast<std::size_t>(form.outputs()));
     outputs[ReadingForm::reported] = {"reported_quantile", "1"};
-    for (int k = 0; k < form.components; ++k) {
-        const std::string of = k == 0 ? "" : "_" + std::to_string(k + 1);
-        if (k > 0) outputs[static_cast<std::size_t>(form.shareOf(k))] = {"log_share" + of, "1"};
-        for (int d = 0; d < form.dimensions; ++d) {
-            const ReadingDimension& dimension = dimensionsOf(measures)[static_cast<std::size_t>(d)];
-            const std::string name(dimension.name);
-            outputs[static_cast<std::size_t>(form.errorOf(k, d))] = {name + "_error" + of, std::string(dimension.unit)};
-            outputs[static_cast<std::size_t>(form.spreadOf(k, d))] = {"log_" + name + "_spread" + of, "1"};
+    auto output = outputs.begin() + ReadingForm::errors;
+    for (int m = 0; m < form.members; ++m)
+        for (int k = 0; k < form.components; ++k) {
+            std::string of = form.members == 1 ? "" : " of member " + std::to_string(m + 1);
+            if (k > 0) of.insert(0, '_' + std::to_string(k + 1));
+            if (k > 0) *output++ = {"log_share" + of, "1"};
+            for (const ReadingDimension& dimension : dimensionsOf(measures))
+                *output++ = {std::string(dimension.name) + "_error" + of, std::string(dimension.unit)};
+            for (const ReadingDimension& dimension : dimensionsOf(measures))
+                *output++ = {"log_" + std::string(dimension.name) + "_spread" + of, "1"};
         }
-    }
     return outputs;
 }
 

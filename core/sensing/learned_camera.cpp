@@ -14,17 +14,6 @@ constexpr Nanoseconds leastReach = 40'000'000;  // that velocities are found ove
 
 constexpr std::array<const char*, LearnedCamera::channels> channelNames{"reported", "range", "bearing"};
 
-/// A channel of a draw: first whether it is reported, then the errors.
-double& partOf(ReadingDraw& draw, std::size_t channel) {
-    return channel == 0 ? draw.reported : draw.error[channel - 1];
-}
-/// Two standard normal numbers for each channel, from a key's draws.
-std::array<double, 2 * LearnedCamera::channels> normalsOf(const UniformDraws& draws, std::size_t first) {
-    std::array<double, 2 * LearnedCamera::channels> uniforms;
-    for (std::size_t i = 0; i < uniforms.size(); ++i) uniforms[i] = draws[first + i];
-    return drawnNormals(uniforms);
-}
-
 BodySight sightOf(const SensorNetwork& network) {
     BodySight sight;
     sight.range = network.view.range;
@@ -48,11 +37,9 @@ LearnedCamera::LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const
     if (options.robot) robot_ = learned_->robotIndex(*options.robot);
     if (traits_.period == 0) traits_.period = network.period;
     sight_.latency = latency_;
-    slow_ = after(traits_.period, &ReadingNoise::slowTime);
-    subject_ = after(traits_.period, &ReadingNoise::subjectTime);
     for (std::size_t i = 0; i < channels; ++i) {
-        anyCommon_ = anyCommon_ || network.noise[i].look > 0 || network.noise[i].slow > 0;
-        anySubject_ = anySubject_ || network.noise[i].subject > 0;
+        slow_[i] = Lasting::after(toSeconds(traits_.period), network.noise[i].slowTime);
+        subject_[i] = Lasting::after(toSeconds(traits_.period), network.noise[i].subjectTime);
     }
     if (network.landmarks) gives_.push_back({traits_.name + ".landmarks", &recordType<SeenBody>()});
     if (network.robotSubjects) gives_.push_back({traits_.name + ".robots", &recordType<SeenBody>()});
@@ -71,7 +58,7 @@ bool LearnedCamera::sound(std::span<const std::byte> memory) const {
     const auto instant = [](Nanoseconds time) { return time >= -latestTime && time <= latestTime; };
     return instant(own.looked) && std::ranges::all_of(own.slow, normal) &&
            std::ranges::all_of(own.slots, [&](const Memory::Slot& slot) {
-               return instant(slot.looked) && std::ranges::all_of(slot.parts, normal);
+               return instant(slot.looked) && instant(slot.reported) && std::ranges::all_of(slot.parts, normal);
            });
 }
 
@@ -85,61 +72,66 @@ std::vector<MemoryEntry> LearnedCamera::explain(std::span<const std::byte> memor
     return entries;
 }
 
-LearnedCamera::Lasting LearnedCamera::after(Nanoseconds duration, double ReadingNoise::*time) const {
-    Lasting lasting;
-    for (std::size_t i = 0; i < channels; ++i) {
-        const double kept = decay(toSeconds(duration) / (learned_->network().noise[i].*time));
-        lasting.kept[i] = kept;
-        lasting.added[i] = std::sqrt(1 - kept * kept);
-    }
-    return lasting;
+Lasting LearnedCamera::between(Nanoseconds before, Nanoseconds now, double time, const Lasting& afterPeriod) const {
+    const Nanoseconds since = now - before;
+    if (since == traits_.period) return afterPeriod;
+    return since < 0 ? Lasting{} : Lasting::after(toSeconds(since), time);
 }
 
 /// What all readings of a look have in common, by the first draws of the look.
-ReadingDraw LearnedCamera::common(const SensorView& view, Memory& memory) const {
-    ReadingDraw common;
-    if (anyCommon_) {
-        const auto normals = normalsOf(UniformDraws(view.key(0)), 0);
-        const Nanoseconds since = view.measured - memory.looked;
-        const Lasting lasting = memory.begun == 0 || since < 0 ? Lasting{{}, {1, 1, 1}}
-                                : since == traits_.period      ? slow_
-                                                               : after(since, &ReadingNoise::slowTime);
-        for (std::size_t i = 0; i < channels; ++i) {
-            const double slow =
-                lasting.kept[i] * static_cast<double>(memory.slow[i]) + lasting.added[i] * normals[channels + i];
-            memory.slow[i] = static_cast<float>(slow);
-            partOf(common, i) = weights_.look[i] * normals[i] + weights_.slow[i] * static_cast<double>(memory.slow[i]);
-        }
+LearnedCamera::Channels LearnedCamera::commonNumbers(const SensorView& view, Memory& memory) const {
+    Channels common{};
+    const UniformDraws draws(view.key(0));
+    const ReadingNoises& noise = learned_->network().noise;
+    for (std::size_t i = 0; i < channels; ++i) {
+        if (noise[i].look > 0) common[i] = weights_.look[i] * drawnNormal(draws[i]);
+        if (noise[i].slow == 0) continue;
+        const Lasting lasting =
+            memory.begun == 0 ? Lasting{} : between(memory.looked, view.measured, noise[i].slowTime, slow_[i]);
+        memory.slow[i] =
+            static_cast<float>(lasting.next(static_cast<double>(memory.slow[i]), drawnNormal(draws[channels + i])));
+        common[i] += weights_.slow[i] * static_cast<double>(memory.slow[i]);
     }
     memory.looked = view.measured;
     memory.begun = 1;
     return common;
 }
 
-/// Of one subject's reading. Each has draws of its own, so that no other one changes what is reported of it.
-ReadingDraw LearnedCamera::draw(const SensorView& view, std::uint32_t subject, const ReadingDraw& common,
-                                Memory& memory) const {
-    const UniformDraws draws(view.key(1 + subject));
-    const auto normals = normalsOf(draws, 1);
-    ReadingDraw draw = common;
-    draw.which = draws[0];
-    for (std::size_t i = 0; i < channels; ++i) partOf(draw, i) += weights_.alone[i] * normals[i];
-    if (!anySubject_) return draw;
+/// One channel's number of a subject's reading; `before`: the last instant that had one.
+double LearnedCamera::numberOf(std::size_t channel, const UniformDraws& draws, double common, Memory::Slot& slot,
+                               bool begun, Nanoseconds before, Nanoseconds now) const {
+    const double number = common + weights_.alone[channel] * drawnNormal(draws[1 + channel]);
+    if (weights_.subject[channel] == 0) return number;
+    const double time = learned_->network().noise[channel].subjectTime;
+    const Lasting lasting = begun ? between(before, now, time, subject_[channel]) : Lasting{};
+    float& part = slot.parts[channel];
+    part = static_cast<float>(lasting.next(static_cast<double>(part), drawnNormal(draws[1 + channels + channel])));
+    return number + weights_.subject[channel] * static_cast<double>(part);
+}
+
+/// Each subject has draws of its own, so that no other one changes what is reported of it.
+double LearnedCamera::reportedNumber(const SensorView& view, std::uint32_t subject, const Channels& common,
+                                     Memory& memory) const {
     Memory::Slot& slot = memory.slots[subject % memory.slots.size()];
-    const Nanoseconds since = view.measured - slot.looked;
-    const bool fresh = slot.subject != subject + 1 || since < 0;
-    const Lasting lasting = fresh                     ? Lasting{{}, {1, 1, 1}}
-                            : since == traits_.period ? subject_
-                                                      : after(since, &ReadingNoise::subjectTime);
-    for (std::size_t i = 0; i < channels; ++i) {
-        if (weights_.subject[i] == 0) continue;
-        const double part =
-            lasting.kept[i] * static_cast<double>(slot.parts[i]) + lasting.added[i] * normals[channels + i];
-        slot.parts[i] = static_cast<float>(part);
-        partOf(draw, i) += weights_.subject[i] * static_cast<double>(slot.parts[i]);
-    }
-    slot.subject = subject + 1;
+    const bool known = slot.subject == subject + 1;
+    if (!known) slot = {subject + 1, 0, {}, 0, 0};
+    const UniformDraws draws(view.key(1 + subject));
+    const double number = numberOf(0, draws, common[0], slot, known, slot.looked, view.measured);
     slot.looked = view.measured;
+    return number;
+}
+
+/// After reportedNumber().
+ReadingDraw LearnedCamera::errorDraw(const SensorView& view, std::uint32_t subject, const Channels& common,
+                                     Memory& memory) const {
+    Memory::Slot& slot = memory.slots[subject % memory.slots.size()];
+    const UniformDraws draws(view.key(1 + subject));
+    ReadingDraw draw;
+    draw.which = draws[0];
+    for (std::size_t i = 1; i < channels; ++i)
+        draw.error[i - 1] = numberOf(i, draws, common[i], slot, slot.wasReported != 0, slot.reported, view.measured);
+    slot.wasReported = 1;
+    slot.reported = view.measured;
     return draw;
 }
 
@@ -156,48 +148,47 @@ Velocity LearnedCamera::ownVelocity(const SensorView& view, const Placement& own
 }
 
 void LearnedCamera::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
-    auto& own = as<Memory>(memory);
-    const ReadingDraw common = this->common(view, own);
     bool wanted = false;
     for (std::size_t i = 0; i < gives_.size(); ++i) wanted = wanted || view.wants(i);
-    if (!wanted && !anySubject_) return;
-
-    SensingBuffers& buffers = view.buffers;
-    SimulatedView& simulated = buffers.simulated;
-    simulated.look(view, learned_->network().view);
-    const std::span<const SimulatedView::Subject> subjects = simulated.subjects();
-    const auto landmarks = static_cast<std::uint32_t>(view.obstacles.landmarks().size());
-    buffers.draws.clear();
-    for (const SimulatedView::Subject& subject : subjects)
-        buffers.draws.push_back(
-            reports(subject.kind)
-                ? draw(view, (subject.kind == SubjectKind::robot ? landmarks : 0) + subject.index, common, own)
-                : ReadingDraw{});
     if (!wanted) return;
-
-    buffers.states.clear();
-    buffers.which.clear();
-    buffers.reports.clear();
-    simulated.describe(
-        view, ownVelocity(view, simulated.eye()),
-        [&](const SimulatedView::Subject& subject) { return reports(subject.kind); }, buffers.states, buffers.which);
-    // In their order: no draw is moved onto one that is needed yet.
-    for (std::size_t i = 0; i < buffers.which.size(); ++i) buffers.draws[i] = buffers.draws[buffers.which[i]];
-    learned_->report(buffers.states, robotOf(view), std::span(buffers.draws).first(buffers.states.size()),
-                     buffers.reports);
+    auto& own = as<Memory>(memory);
+    const Channels common = commonNumbers(view, own);
+    SensingBuffers& b = view.buffers;
+    b.simulated.look(view, learned_->network().view);
+    b.states.clear();
+    b.which.clear();
+    b.simulated.describe(
+        view, ownVelocity(view, b.simulated.eye()),
+        [&](const SimulatedView::Subject& subject) { return reports(subject.kind); }, b.states, b.which);
+    const std::span<const SimulatedView::Subject> subjects = b.simulated.subjects();
+    const auto landmarks = static_cast<std::uint32_t>(view.obstacles.landmarks().size());
+    const auto numberOf = [&](std::uint32_t state) {
+        const SimulatedView::Subject& subject = subjects[b.which[state]];
+        return subject.kind == SubjectKind::robot ? landmarks + subject.index : subject.index;
+    };
+    b.numbers.clear();
+    for (std::uint32_t i = 0; i < b.states.size(); ++i)
+        b.numbers.push_back(reportedNumber(view, numberOf(i), common, own));
+    const int robot = robotOf(view);
+    b.reported.clear();
+    learned_->reported(b.states, robot, b.numbers, b.reported);
+    b.draws.clear();
+    for (const std::uint32_t i : b.reported) b.draws.push_back(errorDraw(view, numberOf(i), common, own));
+    b.errors.resize(b.reported.size());
+    learned_->errors(b.states, b.reported, robot, b.draws, b.errors);
     std::size_t reading = 0;
     for (const SubjectKind kind : {SubjectKind::landmark, SubjectKind::robot}) {
         if (!reports(kind)) continue;
         if (view.wants(reading)) {
-            buffers.seen.clear();
-            for (const LearnedSensor::Report& report : buffers.reports) {
-                const SimulatedView::Subject& subject = subjects[buffers.which[report.state]];
+            b.seen.clear();
+            for (std::size_t i = 0; i < b.reported.size(); ++i) {
+                const SimulatedView::Subject& subject = subjects[b.which[b.reported[i]]];
                 if (subject.kind != kind) continue;
-                const double range = std::max(0.0, subject.range + report.error[0]);
-                buffers.seen.push_back(
-                    {subject.index, range * towards(subject.bearing + report.error[1]), view.measured});
+                const double range = std::max(0.0, subject.range + b.errors[i][0]);
+                b.seen.push_back(
+                    {subject.index, range * towards(subject.bearing + b.errors[i][1]), view.measured});
             }
-            out.add(gives_[reading].name, view.measured, std::span<const SeenBody>(buffers.seen));
+            out.add(gives_[reading].name, view.measured, std::span<const SeenBody>(b.seen));
         }
         ++reading;
     }

@@ -10,6 +10,7 @@
 #include "perception/reading_noise.h"
 #include "scene/perception.h"
 #include "sensing/sensor.h"
+#include "world/noise.h"
 
 namespace mrose {
 
@@ -38,9 +39,11 @@ public:
     struct Memory {
         /// Of one subject.
         struct Slot {
-            std::uint32_t subject = 0;  ///< landmarks first, then robots, from 1; 0: nobody's
+            std::uint32_t subject = 0;      ///< landmarks first, then robots, from 1; 0: nobody's
+            std::uint32_t wasReported = 0;  ///< 0 until there was a reading of it
             std::array<float, channels> parts{};
-            Nanoseconds looked = 0;
+            Nanoseconds looked = 0;    ///< the last instant at which it was in view
+            Nanoseconds reported = 0;  ///< and at which there was a reading: the errors' parts are of then
         };
         Nanoseconds looked = 0;   ///< the last instant of measurement
         std::uint32_t begun = 0;  ///< 0 until the first
@@ -61,13 +64,13 @@ public:
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
 
 private:
-    /// How a part that lasts goes on after some time, by channel.
-    struct Lasting {
-        std::array<double, channels> kept{}, added{};
-    };
-    Lasting after(Nanoseconds duration, double ReadingNoise::*time) const;
-    ReadingDraw common(const SensorView& view, Memory& memory) const;
-    ReadingDraw draw(const SensorView& view, std::uint32_t subject, const ReadingDraw& common, Memory& memory) const;
+    using Channels = std::array<double, channels>;
+    Lasting between(Nanoseconds before, Nanoseconds now, double time, const Lasting& afterPeriod) const;
+    Channels commonNumbers(const SensorView& view, Memory& memory) const;
+    double numberOf(std::size_t channel, const UniformDraws& draws, double common, Memory::Slot& slot, bool begun,
+                    Nanoseconds before, Nanoseconds now) const;
+    double reportedNumber(const SensorView& view, std::uint32_t subject, const Channels& common, Memory& memory) const;
+    ReadingDraw errorDraw(const SensorView& view, std::uint32_t subject, const Channels& common, Memory& memory) const;
     int robotOf(const SensorView& view) const;
     Velocity ownVelocity(const SensorView& view, const Placement& own) const;
     bool reports(SubjectKind kind) const;
@@ -78,8 +81,7 @@ private:
     Nanoseconds latency_, reach_;
     BodySight sight_;
     NoiseWeights weights_;
-    bool anyCommon_ = false, anySubject_ = false;
-    Lasting slow_, subject_;  ///< after one period
+    std::array<Lasting, channels> slow_, subject_;  ///< after one period
     std::vector<ReadingKind> gives_;
 };
 

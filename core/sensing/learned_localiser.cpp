@@ -57,7 +57,8 @@ void LearnedLocaliser::carryOn(const SensorView& view, Memory& memory) const {
         const ReadingNoise& noise = learned_->network().noise[i];
         if (noise.slow == 0) continue;
         const double normal = normalPair(view.key(channelNumbers + static_cast<std::uint32_t>(i))).first;
-        memory.slow[i] = memory.begun != 0 ? lasting(memory.slow[i], view.sinceLast, noise.slowTime, normal) : normal;
+        const Lasting lasting = memory.begun != 0 ? Lasting::after(view.sinceLast, noise.slowTime) : Lasting{};
+        memory.slow[i] = lasting.next(memory.slow[i], normal);
     }
     memory.begun = 1;
 }

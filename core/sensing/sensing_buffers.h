@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "control/observation.h"
-#include "perception/learned_sensor.h"
+#include "perception/reading_distribution.h"
 #include "scene/point_grid.h"
 #include "sensing/horizon.h"
 #include "sensing/simulated_view.h"
@@ -36,9 +36,10 @@ public:
     std::vector<SeenBody> seen;
     SimulatedView simulated;
     std::vector<SensedState> states;
-    std::vector<std::uint32_t> which;
+    std::vector<std::uint32_t> which, reported;
+    std::vector<double> numbers;
     std::vector<ReadingDraw> draws;
-    std::vector<LearnedSensor::Report> reports;
+    std::vector<ReadingError> errors;
     std::vector<ReceivedMessage> received;
 
 private:

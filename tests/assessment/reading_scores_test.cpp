@@ -11,7 +11,7 @@ namespace {
 
 ReadingDistribution mixture() {
     ReadingDistribution of;
-    of.components = 3;
+    of.form.components = 3;
     of.component[0] = {0.5, {0.1, 0.0}, {0.05, 0.01}};
     of.component[1] = {0.3, {-0.2, 0.02}, {0.2, 0.03}};
     of.component[2] = {0.2, {0.4, -0.05}, {0.02, 0.001}};

@@ -21,9 +21,9 @@ inline std::vector<Log> referenceLogs(int minutes, std::uint64_t seed) {
 /// The normal distribution, with the same gross errors, that is best where nothing depends on the state.
 inline ReadingDistribution constantNoise(const SensorSamples& samples, const SensorNetwork& network) {
     ReadingDistribution constant;
-    constant.dimensions = network.form.dimensions;
+    constant.form.dimensions = network.form.dimensions;
     constant.gross = network.gross;
-    for (std::size_t d = 0; d < static_cast<std::size_t>(constant.dimensions); ++d) {
+    for (std::size_t d = 0; d < static_cast<std::size_t>(network.form.dimensions); ++d) {
         double sum = 0, squares = 0, count = 0;
         for (const SensorCase& one : samples.cases)
             if (one.reported && std::hypot(one.error[0], one.error[1]) < 0.4)

@@ -25,7 +25,7 @@ struct PlantedLocaliser {
 
     ReadingDistribution of(const SensedState& state) const {
         ReadingDistribution d;
-        d.dimensions = 3;
+        d.form.dimensions = 3;
         d.threshold = 2 - 1.5 * std::abs(state.velocity.w);
         const double wide = exponential(0.35 * state.own.x);
         d.component[0].mean = {0.05 * state.own.y, 0.03, -0.02};
@@ -52,7 +52,7 @@ Log plantedLocalisation(const PlantedLocaliser& localiser, double seconds, std::
         for (std::uint32_t i = 0; i < readingChannels; ++i) {
             const ReadingNoise& noise = localiser.noise[i];
             const NoisePair n = normals(i);
-            slow[i] = look == 0 ? n.first : lasting(slow[i], localiser.period, noise.slowTime, n.first);
+            slow[i] = (look == 0 ? Lasting{} : Lasting::after(localiser.period, noise.slowTime)).next(slow[i], n.first);
             numbers[i] = std::sqrt(noise.slow) * slow[i] + std::sqrt(1 - noise.slow) * n.second;
         }
         SensedState state;

@@ -47,7 +47,8 @@ SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const double time = ofSubject ? noises[c].subjectTime : noises[c].slowTime;
                 const double draw = plantedNormal(look, part, c);
-                numbers[c] = look % looks == 0 ? draw : lasting(numbers[c], lookPeriod, time, draw);
+                numbers[c] =
+                    (look % looks == 0 ? Lasting{} : Lasting::after(lookPeriod, time)).next(numbers[c], draw);
             }
         };
         for (int l = 0; l < looks; ++l) {

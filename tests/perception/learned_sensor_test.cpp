@@ -81,40 +81,56 @@ TEST(LearnedSensors, SayTheSameAloneAndAmongOthers) {
     }
 }
 
-TEST(LearnedSensors, ReportWhatTheirDistributionsSay) {
-    const LearnedSensor sensor(test::someCamera());
-    const std::vector<SensedState> states = someStates(45);
-    const std::vector<ReadingDraw> draws = someDraws(45);
-    std::vector<ReadingDistribution> distributions(states.size());
-    sensor.distributions(states, 0, distributions);
-    std::vector<LearnedSensor::Report> reports;
-    sensor.report(states, 0, draws, reports);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        if (!distributions[i].reports(draws[i])) continue;
-        ASSERT_LT(next, reports.size());
-        EXPECT_EQ(reports[next].state, i);
-        EXPECT_EQ(reports[next].error, distributions[i].error(draws[i]));
-        ++next;
+/// Places and errors of what is reported.
+struct Reports {
+    Reports(const LearnedSensor& sensor, int robot, const std::vector<SensedState>& states,
+            const std::vector<ReadingDraw>& draws) {
+        std::vector<double> numbers;
+        for (const ReadingDraw& draw : draws) numbers.push_back(draw.reported);
+        sensor.reported(states, robot, numbers, which);
+        std::vector<ReadingDraw> ofThese;
+        for (const std::uint32_t i : which) ofThese.push_back(draws[i]);
+        errors.resize(which.size());
+        sensor.errors(states, which, robot, ofThese, errors);
     }
-    EXPECT_EQ(next, reports.size());
-    EXPECT_GT(next, 0u);
-    EXPECT_LT(next, states.size());
+    std::vector<std::uint32_t> which;
+    std::vector<ReadingError> errors;
+};
+
+TEST(LearnedSensors, ReportWhatTheirDistributionsSay) {
+    for (const int members : {1, 3}) {
+        const LearnedSensor sensor(test::someCamera(1, members));
+        const std::vector<SensedState> states = someStates(45);
+        const std::vector<ReadingDraw> draws = someDraws(45);
+        std::vector<ReadingDistribution> distributions(states.size());
+        sensor.distributions(states, 0, distributions);
+        const Reports reports(sensor, 0, states, draws);
+        std::size_t next = 0;
+        for (std::uint32_t i = 0; i < states.size(); ++i) {
+            if (!distributions[i].reports(draws[i])) continue;
+            ASSERT_LT(next, reports.which.size());
+            EXPECT_EQ(reports.which[next], i);
+            EXPECT_EQ(reports.errors[next], distributions[i].error(draws[i]));
+            ++next;
+        }
+        EXPECT_EQ(next, reports.which.size());
+        EXPECT_GT(next, 0u);
+        EXPECT_LT(next, states.size());
+    }
 }
 
 TEST(LearnedSensors, AConstantOneReportsThatShareWithThatError) {
     const LearnedSensor sensor(
         test::constantCamera({normalQuantile(0.25), 0.1, -0.02, std::log(0.05), std::log(0.01)}));
     const std::vector<SensedState> states = someStates(4000);
-    std::vector<LearnedSensor::Report> reports;
-    sensor.report(states, -1, someDraws(4000), reports);
-    EXPECT_NEAR(static_cast<double>(reports.size()) / 4000, 0.25, 4 * std::sqrt(0.1875 / 4000));
+    const std::vector<ReadingError> errors = Reports(sensor, -1, states, someDraws(4000)).errors;
+    EXPECT_NEAR(static_cast<double>(errors.size()) / 4000, 0.25, 4 * std::sqrt(0.1875 / 4000));
     double sum = 0, squares = 0;
-    for (const auto& report : reports) {
-        sum += report.error[1];
-        squares += (report.error[0] - 0.1) * (report.error[0] - 0.1);
+    for (const ReadingError& error : errors) {
+        sum += error[1];
+        squares += (error[0] - 0.1) * (error[0] - 0.1);
     }
-    const double count = static_cast<double>(reports.size());
+    const double count = static_cast<double>(errors.size());
     EXPECT_NEAR(sum / count, -0.02, 4 * 0.01 / std::sqrt(count));
     EXPECT_NEAR(std::sqrt(squares / count), 0.05, 4 * 0.05 / std::sqrt(2 * count));
 }

@@ -18,8 +18,8 @@ const GrossErrors gross{0.05, {1.5, 0.5}};
 /// Reported in 30 % of cases; a narrow component and a wide one beside it.
 std::vector<double> someValues() {
     std::vector<double> values(static_cast<std::size_t>(form.outputs()));
-    const auto set = [&](int i, double value) { values[static_cast<std::size_t>(i)] = value; };
-    set(ReadingForm::reported, normalQuantile(0.3));
+    values[ReadingForm::reported] = normalQuantile(0.3);
+    const auto set = [&](int i, double value) { values[static_cast<std::size_t>(ReadingForm::errors + i)] = value; };
     set(form.errorOf(0, 0), 0.1);
     set(form.spreadOf(0, 0), std::log(0.2));
     set(form.errorOf(0, 1), -0.02);
@@ -68,32 +68,55 @@ TEST(ReadingDistributions, DensityIntegratesToProbabilities) {
     EXPECT_NEAR(below, d.probabilityBelow(0, -0.25), 1e-3);
 }
 
-TEST(ReadingDistributions, DrawsAreOfTheirDensities) {
-    const ReadingDistribution d = some();
-    constexpr int n = 40000;
-    int reported = 0;
-    std::array<std::vector<double>, 2> errors;
-    for (int i = 0; i < n; ++i) {
-        reported += d.reports(draw(i));
-        const ReadingError error = d.error(draw(i));
-        for (std::size_t k = 0; k < 2; ++k) errors[k].push_back(error[k]);
+/// Of two members: the second is off by as much as the first.
+ReadingDistribution ofTwoMembers() {
+    std::vector<double> values = someValues();
+    const std::vector<double> first(values.begin() + ReadingForm::errors, values.end());
+    values.insert(values.end(), first.begin(), first.end());
+    for (int k = 0; k < form.components; ++k)
+        values[static_cast<std::size_t>(ReadingForm::errors + form.memberOutputs() + form.errorOf(k, 0))] += 0.7;
+    return ReadingDistribution::of({2, 2, 2}, values, gross);
+}
+
+TEST(ReadingDistributions, EachMemberHasAnEqualShare) {
+    const ReadingDistribution one = some(), both = ofTwoMembers();
+    EXPECT_EQ(both.components().size(), 4u);
+    EXPECT_NEAR(both.mean(0), one.mean(0) + 0.95 * 0.35, 1e-12);
+    for (const ReadingError& error : {ReadingError{0.2, 0.01}, {0.7, -0.1}}) {
+        const double even = 0.05 * gross.density(2);
+        EXPECT_NEAR(both.density(error) - even,
+                    0.5 * (one.density(error) + one.density({error[0] - 0.7, error[1]})) - even, 1e-12);
     }
-    EXPECT_NEAR(reported / double(n), 0.3, 4 * std::sqrt(0.21 / n));
-    for (int k = 0; k < 2; ++k) {
-        std::vector<double>& sorted = errors[static_cast<std::size_t>(k)];
-        std::sort(sorted.begin(), sorted.end());
-        double distance = 0;  // Kolmogorov and Smirnov's
-        for (int i = 0; i < n; ++i)
-            distance = std::max(distance,
-                                std::abs(d.probabilityBelow(k, sorted[static_cast<std::size_t>(i)]) - (i + 0.5) / n));
-        EXPECT_LT(distance, 1.63 / std::sqrt(n)) << "1 % of such samples are farther off";
+}
+
+TEST(ReadingDistributions, DrawsAreOfTheirDensities) {
+    for (const ReadingDistribution& d : {some(), ofTwoMembers()}) {
+        constexpr int n = 40000;
+        int reported = 0;
+        std::array<std::vector<double>, 2> errors;
+        for (int i = 0; i < n; ++i) {
+            reported += d.reports(draw(i));
+            const ReadingError error = d.error(draw(i));
+            for (std::size_t k = 0; k < 2; ++k) errors[k].push_back(error[k]);
+        }
+        EXPECT_NEAR(reported / double(n), 0.3, 4 * std::sqrt(0.21 / n));
+        for (int k = 0; k < 2; ++k) {
+            std::vector<double>& sorted = errors[static_cast<std::size_t>(k)];
+            std::sort(sorted.begin(), sorted.end());
+            double distance = 0;  // Kolmogorov and Smirnov's
+            for (int i = 0; i < n; ++i) {
+                const double below = d.probabilityBelow(k, sorted[static_cast<std::size_t>(i)]);
+                distance = std::max(distance, std::abs(below - (i + 0.5) / n));
+            }
+            EXPECT_LT(distance, 1.63 / std::sqrt(n)) << "1 % of such samples are farther off";
+        }
     }
 }
 
 TEST(ReadingDistributions, GrossErrorsAreWithinReachAndAsManyAsSaid) {
     std::vector<double> values = someValues();
     for (int k = 0; k < 2; ++k)
-        for (int i = 0; i < 2; ++i) values[static_cast<std::size_t>(form.spreadOf(k, i))] = std::log(1e-3);
+        for (int i = 0; i < 2; ++i) values[static_cast<std::size_t>(ReadingForm::errors + form.spreadOf(k, i))] = std::log(1e-3);
     const ReadingDistribution d = ReadingDistribution::of(form, values, gross);
     int wrong = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -110,14 +133,16 @@ TEST(ReadingDistributions, LossesAreLogarithmsOfLikelihoods) {
     double slope = 0;
     EXPECT_NEAR(reportLoss(d.threshold, true, &slope), -std::log(0.3), 1e-12);
     EXPECT_NEAR(reportLoss(d.threshold, false, &slope), -std::log(0.7), 1e-12);
-    std::vector<double> gradient(static_cast<std::size_t>(form.outputs()));
+    std::vector<double> gradient(static_cast<std::size_t>(form.memberOutputs()));
     for (const ReadingError& error : {ReadingError{0.2, 0.01}, {-0.5, 0.2}, {1.4, -0.45}, {5, 0.1}})
-        EXPECT_NEAR(errorLoss(form, someValues().data(), gross, error, gradient.data()), -std::log(d.density(error)),
-                    1e-9);
+        EXPECT_NEAR(errorLoss(form, someValues().data() + ReadingForm::errors, gross, error, gradient.data()),
+                    -std::log(d.density(error)), 1e-9);
 }
 
 TEST(ReadingDistributions, GradientsAreThoseOfFiniteDifferences) {
-    std::vector<double> values = someValues(), gradient(values.size()), ignored(values.size());
+    std::vector<double> values = someValues();
+    values.erase(values.begin());
+    std::vector<double> gradient(values.size()), ignored(values.size());
     constexpr double step = 1e-5;
     for (const ReadingError& error : {ReadingError{0.2, 0.01}, {-0.5, 0.2}, {1.4, -0.45}, {5, 0.1}}) {
         errorLoss(form, values.data(), gross, error, gradient.data());

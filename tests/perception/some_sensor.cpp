@@ -6,7 +6,7 @@
 namespace mrose::test {
 namespace {
 
-SensorNetwork camera(int components) {
+SensorNetwork camera(int components, int members = 1) {
     SensorNetwork network;
     network.sensor = "camera";
     network.robotType = "irobot-create";
@@ -16,7 +16,7 @@ SensorNetwork camera(int components) {
     network.latencyError = 0.001;
     network.robotSubjects = true;
     network.view = {7.5, 1.15};
-    network.form = {2, components};
+    network.form = {2, components, members};
     network.gross = {1.0 / 1024, {2.5, 0.15}};
     network.learned.kind = SensorNetwork::kind;
     network.learned.training = {"mrose train", "irprop+", "likelihood", 1, 2, 3, {{"a.dat", "0123456789abcdef"}}};
@@ -30,8 +30,8 @@ SensorNetwork camera(int components) {
 
 }  // namespace
 
-SensorNetwork someCamera(std::uint64_t seed) {
-    SensorNetwork network = camera(2);
+SensorNetwork someCamera(std::uint64_t seed, int members) {
+    SensorNetwork network = camera(2, members);
     network.noise[0] = {0.1, 0.2, 1.5, 0.3, 7};
     network.noise[2] = {0.25, 0.125, 1.0 / 3, 0.1, 9};
     network.constant = {0.3, 0.05, {0.17, 0.011}};

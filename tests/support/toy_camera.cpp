@@ -30,7 +30,7 @@ void ToyCamera::distributions(std::span<const SensedState> states, const std::st
     for (std::size_t i = 0; i < states.size(); ++i) {
         const SensedState& state = states[i];
         ReadingDistribution& of = to[i] = {};
-        of.components = 2;
+        of.form.components = 2;
         of.threshold = view().holds(state.range, state.bearing) ? 1.2 - 0.4 * state.range : -2.5;
         of.component[0] = {0.7, {0.03 * state.range, 0.01}, {wider_ * 0.02 * state.range, wider_ * 0.005}};
         of.component[1] = {0.3, {0.03 * state.range, -0.01}, {wider_ * 0.06 * state.range, wider_ * 0.015}};
