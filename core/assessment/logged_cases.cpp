@@ -77,7 +77,7 @@ public:
                 continue;
             }
             LoggedLook added{robot, trajectory, look.time, cases_.cases.size(), 0};
-            addCases(of, poseBetween(from.poses, look.time), look);
+            addCases(of, from, look);
             added.count = cases_.cases.size() - added.first;
             of.cases += added.count;
             ++of.looks;
@@ -92,13 +92,14 @@ private:
             sum.*part += more.*part;
     }
 
-    void addCases(LoggedCases::Robot& robot, const Pose& own, const Look& look) {
+    void addCases(LoggedCases::Robot& robot, const Trajectory& from, const Look& look) {
+        const Pose own = poseBetween(from.poses, look.time);
         const bool landmarks = cases_.rule.subjects == SubjectKind::landmark;
         for (std::size_t i = 0; i < log_.subjects.size(); ++i) {
             const LogSubject& subject = log_.subjects[i];
             if ((subject.kind == LogSubject::Kind::landmark) != landmarks) continue;
             if (!landmarks && subject.robot == robot.name) continue;
-            const auto place = view_.positionOf(i, look.time);
+            const auto place = view_.positionOf(from, i, look.time);
             if (!place) continue;
             const Point offset = *place - position(own);
             LoggedCase one{i, length(offset), wrappedAngle(direction(offset) - own.heading)};

@@ -142,7 +142,8 @@ std::vector<SensorLook> realLooks(const FieldFrame& frame, std::size_t robot) {
         look.eye = real->poseAt(look.measured);
         for (const LogReading& reading : last->readings)
             look.subjects.push_back({nameOf(*frame.reality, log.subjects[reading.subject]), reading.range,
-                                     wrapAngle(reading.bearing), view.positionOf(reading.subject, last->time - late)});
+                                     wrapAngle(reading.bearing),
+                                     view.positionOf(*real->trajectory, reading.subject, last->time - late)});
     }
     return looks;
 }

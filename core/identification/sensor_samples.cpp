@@ -42,19 +42,19 @@ public:
                 samples_.looks.back().count = samples_.cases.size() - samples_.looks.back().first;
             };
             add(std::nullopt);
-            if (const auto unknown = oneKnown(robot, measured)) add(unknown);
+            if (const auto unknown = oneKnown(robot, from, measured)) add(unknown);
         }
     }
 
 private:
     /// One of the tracked robots, another one every now and then; nothing where there are no two.
-    std::optional<LoggedView::Unknown> oneKnown(std::size_t robot, Nanoseconds time) const {
+    std::optional<LoggedView::Unknown> oneKnown(std::size_t robot, const Trajectory& own, Nanoseconds time) const {
         constexpr Nanoseconds stays = 20'000'000'000;
         std::vector<std::size_t> tracked;
         const std::vector<LogSubject>& subjects = view_.log().subjects;
         for (std::size_t i = 0; i < subjects.size(); ++i)
             if (subjects[i].kind == LogSubject::Kind::robot && subjects[i].robot != view_.log().robots[robot].robot &&
-                view_.positionOf(i, time))
+                view_.positionOf(own, i, time))
                 tracked.push_back(i);
         if (tracked.size() < 2) return std::nullopt;
         const NoiseKey key{0, time / stays, static_cast<std::uint32_t>(robot), 0};

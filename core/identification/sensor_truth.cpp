@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/pose.h"
+#include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
 
 namespace mrose {
@@ -15,14 +16,9 @@ namespace {
 constexpr Nanoseconds misfitBlock = 10 * nanosecondsPerSecond;
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
-const Trajectory* trajectoryBeside(const Trajectory& own, const Log& log, const std::string& robot) {
-    for (const RobotLog& other : log.robots) {
-        if (other.robot != robot) continue;
-        for (const Trajectory& trajectory : other.trajectories)
-            if (trajectory.name == own.name) return &trajectory;
-        return other.trajectories.size() == 1 ? &other.trajectories.front() : nullptr;
-    }
-    return nullptr;
+const Trajectory* trajectoryOf(const LogSubject& subject, const Log& log, const Trajectory& beside) {
+    const auto robot = std::ranges::find(log.robots, subject.robot, &RobotLog::robot);
+    return robot == log.robots.end() ? nullptr : trajectoryBeside(beside, *robot);
 }
 
 std::optional<Pose> poseAt(const Trajectory& trajectory, Nanoseconds time) {
@@ -53,7 +49,7 @@ void addKnown(std::vector<KnownReading>& known, const Log& log, const Trajectory
         if (subject.position)
             found.landmark = *subject.position;
         else if (subject.kind == LogSubject::Kind::robot)
-            found.subject = trajectoryBeside(trajectory, log, subject.robot);
+            found.subject = trajectoryOf(subject, log, trajectory);
         if ((subject.position || found.subject != nullptr) && misfitOf(found, 0)) known.push_back(found);
     }
 }

@@ -21,7 +21,7 @@ struct KnownReading {
 };
 
 /// A sensor's readings that have ground truth at their stamps, in ascending time within each trajectory. They point
-/// into the log. Truth of a robot that is reported is that of its trajectory of the same name, or of its only one.
+/// into the log. Truth of a robot that is reported is that of its trajectoryBeside() the reporting one's.
 std::vector<KnownReading> knownReadings(const Log& log, const RobotLog& robot, const std::string& sensor);
 
 /// What was reported less the true geometry a lateness [s] before the stamp; nullopt without truth at that instant.

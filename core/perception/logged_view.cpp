@@ -6,17 +6,11 @@
 
 #include "geometry/elementary.h"
 #include "geometry/point.h"
+#include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
 
 namespace mrose {
 namespace {
-
-/// The trajectory of a robot that has truth at an instant; null: none.
-const Trajectory* trackedThen(const RobotLog& robot, Nanoseconds time) {
-    for (const Trajectory& trajectory : robot.trajectories)
-        if (truthIsKnown(trajectory.poses, time)) return &trajectory;
-    return nullptr;
-}
 
 /// What a body at `offset` hides of the state's subject.
 void passBy(const Point& offset, double distance, double radius, const Point& subject, SensedState& state) {
@@ -59,11 +53,11 @@ bool LoggedView::known(std::size_t robot, std::size_t trajectory, Nanoseconds ti
     return truthIsKnown(log_.robots[robot].trajectories[trajectory].poses, time);
 }
 
-std::optional<Point> LoggedView::positionOf(std::size_t subject, Nanoseconds time) const {
+std::optional<Point> LoggedView::positionOf(const Trajectory& own, std::size_t subject, Nanoseconds time) const {
     if (log_.subjects[subject].kind == LogSubject::Kind::landmark) return log_.subjects[subject].position;
     if (!robotOf_[subject]) return std::nullopt;
-    const Trajectory* const tracked = trackedThen(log_.robots[*robotOf_[subject]], time);
-    if (tracked == nullptr) return std::nullopt;
+    const Trajectory* const tracked = trajectoryBeside(own, log_.robots[*robotOf_[subject]]);
+    if (tracked == nullptr || !truthIsKnown(tracked->poses, time)) return std::nullopt;
     return position(truthAt(tracked->poses, time));
 }
 
@@ -84,14 +78,14 @@ double LoggedView::shareUnknown(std::size_t robot, const std::vector<Body>& bodi
     return robots > 0 ? 1 - known / robots : 0;
 }
 
-std::vector<LoggedView::Body> LoggedView::bodiesAt(std::size_t robot, const Point& eye, Nanoseconds time,
-                                                   const std::optional<Unknown>& unknown) const {
+std::vector<LoggedView::Body> LoggedView::bodiesAt(std::size_t robot, const Trajectory& own, const Point& eye,
+                                                   Nanoseconds time, const std::optional<Unknown>& unknown) const {
     std::vector<Body> bodies;
     for (std::size_t i = 0; i < log_.subjects.size(); ++i) {
         if (robotOf_[i] == robot) continue;
         const bool isRobot = log_.subjects[i].kind == LogSubject::Kind::robot;
         if (isRobot && unknown && unknown->known != i) continue;
-        const std::optional<Point> place = positionOf(i, time);
+        const std::optional<Point> place = positionOf(own, i, time);
         if (!place) continue;
         const Point offset = *place - eye;
         bodies.push_back({i, offset, length(offset), isRobot ? sizes_.robot : sizes_.landmark, isRobot});
@@ -101,11 +95,12 @@ std::vector<LoggedView::Body> LoggedView::bodiesAt(std::size_t robot, const Poin
 
 std::vector<LoggedSubject> LoggedView::at(std::size_t robot, std::size_t trajectory, Nanoseconds time, const View& view,
                                           const std::optional<Unknown>& unknown) const {
+    const Trajectory& from = log_.robots[robot].trajectories[trajectory];
     SensedState own;
-    own.own = truthAt(log_.robots[robot].trajectories[trajectory].poses, time);
+    own.own = truthAt(from.poses, time);
     own.velocity = velocityOf(robot, trajectory, time);
     std::vector<LoggedSubject> subjects;
-    const std::vector<Body> bodies = bodiesAt(robot, position(own.own), time, unknown);
+    const std::vector<Body> bodies = bodiesAt(robot, from, position(own.own), time, unknown);
     own.unknownRobots = shareUnknown(robot, bodies);
     for (const Body& body : bodies) {
         SensedState state = own;

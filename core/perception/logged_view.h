@@ -29,8 +29,9 @@ public:
     /// Whether the ground truth of a robot's trajectory says where it was.
     bool known(std::size_t robot, std::size_t trajectory, Nanoseconds time) const;
 
-    /// Where a subject was; nothing where the log does not say it.
-    std::optional<Point> positionOf(std::size_t subject, Nanoseconds time) const;
+    /// Where a subject was beside a trajectory of the log, at an instant of its clock; nothing where the log does not
+    /// say it.
+    std::optional<Point> positionOf(const Trajectory& own, std::size_t subject, Nanoseconds time) const;
 
     /// The velocity of a robot, from the truth up to 0.16 s before and after.
     Velocity velocityOf(std::size_t robot, std::size_t trajectory, Nanoseconds time) const;
@@ -55,7 +56,7 @@ private:
         double distance, radius;
         bool robot;
     };
-    std::vector<Body> bodiesAt(std::size_t robot, const Point& eye, Nanoseconds time,
+    std::vector<Body> bodiesAt(std::size_t robot, const Trajectory& own, const Point& eye, Nanoseconds time,
                                const std::optional<Unknown>& unknown) const;
     double shareUnknown(std::size_t robot, const std::vector<Body>& bodies) const;
 

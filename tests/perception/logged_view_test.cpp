@@ -100,9 +100,38 @@ TEST(LoggedViews, KnowWhereTheTruthHasGaps) {
     const LoggedView view(log);
     EXPECT_TRUE(view.known(0, 0, second / 2));
     EXPECT_FALSE(view.known(0, 0, 3 * second / 2));
-    EXPECT_FALSE(view.positionOf(0, 3 * second / 2));
+    EXPECT_FALSE(view.positionOf(log.robots[0].trajectories[0], 0, 3 * second / 2));
     EXPECT_FALSE(view.at(1, 0, 3 * second / 2, {9, 7}).empty());
     EXPECT_EQ(stateOf(view.at(1, 0, 3 * second / 2, {9, 7}), 0), nullptr);
+}
+
+/// Clocks begin again in each session.
+TEST(LoggedViews, OtherRobotsAreWhereTheyWereInTheSameSession) {
+    Log log;
+    const auto sessions = [](RobotLog first, const RobotLog& second) {
+        first.trajectories.push_back(second.trajectories[0]);
+        first.trajectories[0].name = "1";
+        first.trajectories[1].name = "2";
+        return first;
+    };
+    log.robots = {sessions(standing("a", 0, 0), standing("a", 0, 0)),
+                  sessions(standing("b", 2, 0), standing("b", 3, 0)), standing("c", 4, 4)};
+    log.robots[2].trajectories[0].name = "2";
+    for (const RobotLog& robot : log.robots)
+        log.subjects.push_back({robot.robot, LogSubject::Kind::robot, robot.robot, {}});
+    const LoggedView view(log);
+    for (const auto& [trajectory, range] : {std::pair{0, 2.0}, {1, 3.0}}) {
+        const auto subjects = view.at(0, static_cast<std::size_t>(trajectory), 2 * second, {9, 2});
+        ASSERT_NE(stateOf(subjects, 1), nullptr);
+        EXPECT_NEAR(stateOf(subjects, 1)->range, range, 1e-9);
+        ASSERT_NE(stateOf(subjects, 2), nullptr) << "it has but one";
+        EXPECT_NEAR(stateOf(subjects, 2)->range, std::hypot(4, 4), 1e-9);
+    }
+    log.robots[1].trajectories[1].name = "3";
+    const auto subjects = view.at(0, 1, 2 * second, {9, 2});
+    EXPECT_EQ(stateOf(subjects, 1), nullptr) << "it has several, and none of this name";
+    ASSERT_NE(stateOf(subjects, 2), nullptr);
+    EXPECT_EQ(stateOf(subjects, 2)->unknownRobots, 0.5);
 }
 
 TEST(LoggedViews, AnglesAreWrapped) {
