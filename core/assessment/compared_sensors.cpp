@@ -5,19 +5,13 @@
 #include <set>
 
 #include "control/observation.h"
+#include "logs/log_lookup.h"
 #include "perception/logged_view.h"
 #include "scene/perception.h"
 #include "sensing/sensor.h"
 
 namespace mrose {
 namespace {
-
-bool hasLooks(const RobotLog& robot, const std::string& sensor) {
-    return std::ranges::any_of(robot.trajectories, [&](const Trajectory& trajectory) {
-        return std::ranges::any_of(trajectory.sensors,
-                                   [&](const SensorLog& log) { return log.sensor == sensor && !log.looks.empty(); });
-    });
-}
 
 /// Of those that a robot's type has of its own.
 std::shared_ptr<const Sensor> sensorNamed(const RobotType& type, const SensorPair& pair) {

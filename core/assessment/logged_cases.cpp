@@ -4,32 +4,19 @@
 #include <cmath>
 
 #include "geometry/point.h"
+#include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
 #include "perception/logged_view.h"
 
 namespace mrose {
 namespace {
 
-/// One that looks for subjects; null: there is none of that name.
-const SensorLog* sensorOf(const Trajectory& trajectory, const std::string& name) {
-    const auto found = std::ranges::find(trajectory.sensors, name, &SensorLog::sensor);
-    return found == trajectory.sensors.end() || found->looks.empty() ? nullptr : &*found;
-}
-
-bool hasSensor(const RobotLog& robot, const std::string& name) {
-    return std::ranges::any_of(robot.trajectories, [&](const Trajectory& t) { return sensorOf(t, name) != nullptr; });
-}
-
-/// "; it has "camera", "laser"".
+/// "; it has "camera", "laser"": those that look for subjects.
 std::string sensorsText(const Log& log) {
-    std::vector<std::string> names;
-    for (const RobotLog& robot : log.robots)
-        for (const Trajectory& trajectory : robot.trajectories)
-            for (const SensorLog& sensor : trajectory.sensors)
-                if (!sensor.looks.empty() && std::ranges::find(names, sensor.sensor) == names.end())
-                    names.push_back(sensor.sensor);
     std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "; it has \"" : ", \"") + name + '"';
+    for (const std::string& name : sensorNames(log))
+        if (std::ranges::any_of(log.robots, [&](const RobotLog& robot) { return hasLooks(robot, name); }))
+            text += (text.empty() ? "; it has \"" : ", \"") + name + '"';
     return text.empty() ? "; it has no readings of landmarks or robots" : text;
 }
 
@@ -37,12 +24,12 @@ Expected<std::vector<std::size_t>> chosenRobots(const Log& log, const std::strin
                                                 std::span<const std::string> names) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < log.robots.size(); ++i)
-        if (names.empty() && hasSensor(log.robots[i], sensor)) chosen.push_back(i);
+        if (names.empty() && hasLooks(log.robots[i], sensor)) chosen.push_back(i);
     for (const std::string& name : names) {
         const auto found = std::ranges::find(log.robots, name, &RobotLog::robot);
         if (found == log.robots.end()) return fail(log.source, "has no robot \"" + name + '"');
         const auto index = static_cast<std::size_t>(found - log.robots.begin());
-        if (!hasSensor(*found, sensor))
+        if (!hasLooks(*found, sensor))
             return fail(log.source, "has no sensor \"" + sensor + "\" of robot \"" + name + '"' + sensorsText(log));
         if (std::ranges::find(chosen, index) == chosen.end()) chosen.push_back(index);
     }
@@ -68,8 +55,8 @@ public:
     void collect(std::size_t robot, std::size_t trajectory) {
         LoggedCases::Robot& of = cases_.robots[robot];
         const Trajectory& from = log_.robots[of.inLog].trajectories[trajectory];
-        const SensorLog* const sensor = sensorOf(from, cases_.sensor);
-        if (sensor == nullptr) return;
+        const SensorLog* const sensor = findSensor(from, cases_.sensor);
+        if (sensor == nullptr || sensor->looks.empty()) return;
         addDefects(of.defects, sensor->defects);
         for (const Look& look : sensor->looks) {
             if (!view_.known(of.inLog, trajectory, look.time)) {

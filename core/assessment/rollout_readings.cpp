@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/elementary.h"
+#include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
 #include "perception/logged_view.h"
 #include "sensing/sensor.h"
@@ -55,12 +56,6 @@ void report(SensedSubject& sensed, double range, double bearing) {
 
 void leaveOutUnseen(SensedLook& look) {
     std::erase_if(look.subjects, [](const SensedSubject& subject) { return !subject.inView && !subject.reported; });
-}
-
-const SensorLog* logOf(const Trajectory& trajectory, const std::string& sensor) {
-    for (const SensorLog& log : trajectory.sensors)
-        if (log.sensor == sensor && !log.looks.empty()) return &log;
-    return nullptr;
 }
 
 Nanoseconds medianPause(const std::vector<Look>& looks) {
@@ -134,8 +129,8 @@ RolloutReadings::RolloutReadings(const LogWorld& world, const LogWorld::Opened& 
 void RolloutReadings::addSources(std::size_t robot, Nanoseconds length) {
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
         const Sensor* const sensor = pairs_[pair].sensors[robot].get();
-        const SensorLog* const log = sensor == nullptr ? nullptr : logOf(trajectoryOf(robot), pairs_[pair].name);
-        if (log == nullptr) continue;
+        const SensorLog* const log = sensor == nullptr ? nullptr : findSensor(trajectoryOf(robot), pairs_[pair].name);
+        if (log == nullptr || log->looks.empty()) continue;
         // The last control instant of the rollout may be a period before its end.
         const Nanoseconds period = opened_.scenario->scene().modelOf(opened_.bodies[robot]).period();
         sources_.push_back({pair, robot, sensor, log, length - period - sensor->latency(), medianPause(log->looks),

@@ -7,6 +7,7 @@
 #include "geometry/point.h"
 #include "identification/robust_statistics.h"
 #include "identification/sensor_truth.h"
+#include "logs/log_lookup.h"
 
 namespace mrose {
 namespace {
@@ -46,14 +47,14 @@ SensorInspection countsOf(const Log& log, const RobotLog& robot, const std::stri
     SensorInspection found{.sensor = name};
     std::set<std::size_t> subjects;
     std::vector<double> pauses;
-    for (const Trajectory& trajectory : robot.trajectories)
-        for (const SensorLog& sensor : trajectory.sensors) {
-            if (sensor.sensor != name) continue;
-            count(found, log, sensor, subjects);
-            addPauses(pauses, sensor.looks);
-            if (sensor.looks.empty()) addPauses(pauses, sensor.poses);
-            if (sensor.looks.empty() && sensor.poses.empty()) addPauses(pauses, sensor.scans);
-        }
+    for (const Trajectory& trajectory : robot.trajectories) {
+        const SensorLog* const sensor = findSensor(trajectory, name);
+        if (sensor == nullptr) continue;
+        count(found, log, *sensor, subjects);
+        addPauses(pauses, sensor->looks);
+        if (sensor->looks.empty()) addPauses(pauses, sensor->poses);
+        if (sensor->looks.empty() && sensor->poses.empty()) addPauses(pauses, sensor->scans);
+    }
     found.subjects = subjects.size();
     if (pauses.empty()) return found;
     found.period = medianOf(pauses);

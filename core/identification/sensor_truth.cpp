@@ -81,9 +81,8 @@ void addSteps(std::vector<ReportedStep>& steps, LateMisfits& misfits, BlockNumbe
 std::vector<KnownReading> knownReadings(const Log& log, const RobotLog& robot, const std::string& sensor) {
     std::vector<KnownReading> known;
     for (std::size_t index = 0; index < robot.trajectories.size(); ++index)
-        for (const SensorLog& own : robot.trajectories[index].sensors)
-            if (own.sensor == sensor)
-                for (const Look& look : own.looks) addKnown(known, log, robot.trajectories[index], index, look);
+        if (const SensorLog* const own = findSensor(robot.trajectories[index], sensor))
+            for (const Look& look : own->looks) addKnown(known, log, robot.trajectories[index], index, look);
     return known;
 }
 
@@ -124,8 +123,8 @@ LateMisfits motionMisfits(const RobotLog& robot, const std::string& sensor) {
     BlockNumbers blocks;
     const auto steps = std::make_shared<std::vector<ReportedStep>>();
     for (std::size_t index = 0; index < robot.trajectories.size(); ++index)
-        for (const SensorLog& own : robot.trajectories[index].sensors)
-            if (own.sensor == sensor) addSteps(*steps, misfits, blocks, index, robot.trajectories[index], own.poses);
+        if (const SensorLog* const own = findSensor(robot.trajectories[index], sensor))
+            addSteps(*steps, misfits, blocks, index, robot.trajectories[index], own->poses);
     misfits.at = [steps](double lateness) {
         std::vector<double> values;
         values.reserve(2 * steps->size());

@@ -11,6 +11,13 @@ RobotLog robotWith(const std::vector<std::string>& trajectories) {
     return robot;
 }
 
+SensorLog sensorNamed(const std::string& name, std::vector<Look> looks = {}) {
+    SensorLog sensor;
+    sensor.sensor = name;
+    sensor.looks = std::move(looks);
+    return sensor;
+}
+
 TEST(LogLookup, BesideATrajectoryIsTheOneOfItsNameOrTheOnlyOne) {
     Trajectory own;
     own.name = "2";
@@ -19,6 +26,22 @@ TEST(LogLookup, BesideATrajectoryIsTheOneOfItsNameOrTheOnlyOne) {
     EXPECT_EQ(trajectoryBeside(own, one), &one.trajectories[0]);
     EXPECT_EQ(trajectoryBeside(own, others), nullptr);
     EXPECT_EQ(trajectoryBeside(own, robotWith({})), nullptr);
+}
+
+TEST(LogLookup, SensorsAreFoundByTheirNames) {
+    RobotLog robot = robotWith({"1", "2"}), other = robotWith({"1"});
+    robot.trajectories[0].sensors = {sensorNamed("camera"), sensorNamed("slam")};
+    robot.trajectories[1].sensors = {sensorNamed("camera", {{0, {}}})};
+    other.trajectories[0].sensors = {sensorNamed("sonar"), sensorNamed("slam")};
+    EXPECT_EQ(findSensor(robot.trajectories[0], "slam"), &robot.trajectories[0].sensors[1]);
+    EXPECT_EQ(findSensor(robot.trajectories[1], "slam"), nullptr);
+    EXPECT_TRUE(hasLooks(robot, "camera")) << "in one of the two";
+    EXPECT_FALSE(hasLooks(robot, "slam"));
+    EXPECT_FALSE(hasLooks(other, "camera"));
+    Log log;
+    log.robots = {robot, other};
+    EXPECT_EQ(sensorNames(log), (std::vector<std::string>{"camera", "slam", "sonar"}));
+    EXPECT_TRUE(sensorNames(Log{}).empty());
 }
 
 }  // namespace
