@@ -2,6 +2,7 @@
 
 #include "common.h"
 #include "io/format.h"
+#include "logs/sensor_defects.h"
 #include "report/program_json.h"
 #include "workflow/inspect_log.h"
 

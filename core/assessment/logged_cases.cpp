@@ -6,6 +6,7 @@
 #include "geometry/point.h"
 #include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
+#include "logs/sensor_defects.h"
 #include "perception/logged_view.h"
 
 namespace mrose {
@@ -73,12 +74,6 @@ public:
     }
 
 private:
-    static void addDefects(SensorDefects& sum, const SensorDefects& more) {
-        for (const auto part : {&SensorDefects::outOfOrder, &SensorDefects::joinedStamps, &SensorDefects::repeated,
-                                &SensorDefects::unknownSubjects, &SensorDefects::emptyLooks, &SensorDefects::cutLines})
-            sum.*part += more.*part;
-    }
-
     void addCases(LoggedCases::Robot& robot, const Trajectory& from, const Look& look) {
         const Pose own = poseBetween(from.poses, look.time);
         const bool landmarks = cases_.rule.subjects == SubjectKind::landmark;

@@ -8,6 +8,7 @@
 #include "identification/robust_statistics.h"
 #include "identification/sensor_truth.h"
 #include "logs/log_lookup.h"
+#include "logs/sensor_defects.h"
 
 namespace mrose {
 namespace {
@@ -18,10 +19,6 @@ constexpr double leastBearingChange = 0.02;                     // rad
 constexpr double leastRangeChange = 0.15, mostRangeChange = 1;  // share of the range
 constexpr double shortestRange = 0.5;                           // m: a nearer one is no measure of shares
 constexpr double causeSignificance = 3;                         // standard errors
-
-void addDefects(SensorDefects& sum, const SensorDefects& more) {
-    for (const SensorDefectCount& count : sensorDefectCounts()) sum.*count.count += more.*count.count;
-}
 
 template <class Sample>
 void addPauses(std::vector<double>& pauses, const std::vector<Sample>& samples) {
@@ -183,19 +180,6 @@ std::vector<SensorInspection> inspectSensors(const Log& log, const RobotLog& rob
             if (!known) found.push_back(inspectSensor(log, robot, sensor.sensor));
         }
     return found;
-}
-
-std::span<const SensorDefectCount> sensorDefectCounts() {
-    static constexpr SensorDefectCount counts[] = {
-        {&SensorDefects::outOfOrder, "out_of_order", "stamp", "stamps", " out of order, sorted"},
-        {&SensorDefects::joinedStamps, "joined_stamps", "stamp", "stamps",
-         " shortly after another, taken for one look"},
-        {&SensorDefects::repeated, "repeated", "report", "reports", " repeated, last kept"},
-        {&SensorDefects::unknownSubjects, "unknown_subjects", "reading", "readings", " of unknown subjects, dropped"},
-        {&SensorDefects::emptyLooks, "empty_looks", "look", "looks", " without a row, added"},
-        {&SensorDefects::headingWraps, "heading_wraps", "heading wrap", "heading wraps", ", unwrapped"},
-        {&SensorDefects::cutLines, "cut_lines", "last line", "last lines", " cut off, left out"}};
-    return counts;
 }
 
 }  // namespace mrose

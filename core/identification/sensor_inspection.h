@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -45,12 +44,5 @@ struct SensorInspection {
 SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name);
 /// Of each sensor of a robot of the log, in the order of its trajectories.
 std::vector<SensorInspection> inspectSensors(const Log& log, const RobotLog& robot);
-
-/// One of the counts of what a reader found and did, with its name in files and its words.
-struct SensorDefectCount {
-    std::int64_t SensorDefects::*count;
-    const char *key, *one, *many, *done;
-};
-std::span<const SensorDefectCount> sensorDefectCounts();
 
 }  // namespace mrose

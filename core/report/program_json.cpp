@@ -4,6 +4,7 @@
 
 #include "identification/held_out_part.h"
 #include "io/format.h"
+#include "logs/sensor_defects.h"
 #include "world/state_hash.h"
 
 namespace mrose {

@@ -146,5 +146,20 @@ TEST_F(SensorAssessments, WhatCannotBeJudgedIsSaidInOneLine) {
     EXPECT_THAT(objection("camera", {}), HasSubstr("it has no readings of landmarks or robots"));
 }
 
+TEST_F(SensorAssessments, AllThatTheReaderFoundAndDidIsSummed) {
+    Trajectory& first = log_.robots[0].trajectories[0];
+    first.name = "1";
+    first.sensors[0].defects = {1, 2, 3, 4, 5, 6, 7};
+    log_.robots[0].trajectories.push_back(first);
+    log_.robots[0].trajectories[1].name = "2";
+    log_.robots[1].trajectories[0].sensors.clear();
+    const auto cases = loggedCases(log_, "camera", {}, {});
+    ASSERT_TRUE(cases) << cases.error().message();
+    const SensorDefects& sum = cases->robots.at(0).defects;
+    EXPECT_THAT((std::vector{sum.outOfOrder, sum.joinedStamps, sum.repeated, sum.unknownSubjects, sum.emptyLooks,
+                             sum.headingWraps, sum.cutLines}),
+                testing::ElementsAre(2, 4, 6, 8, 10, 12, 14));
+}
+
 }  // namespace
 }  // namespace mrose
