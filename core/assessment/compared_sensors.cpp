@@ -5,8 +5,8 @@
 #include <set>
 
 #include "control/observation.h"
+#include "geometry/pose.h"
 #include "logs/log_lookup.h"
-#include "perception/logged_view.h"
 #include "scene/perception.h"
 #include "sensing/sensor.h"
 
@@ -27,7 +27,7 @@ void widen(SensorField& field, const SensorField& more, bool first) {
         return;
     }
     field.range = field.range == 0 || more.range == 0 ? 0 : std::max(field.range, more.range);
-    const double aside = std::abs(wrappedAngle(more.direction - field.direction));
+    const double aside = std::abs(wrapAngle(more.direction - field.direction));
     field.fieldOfView = std::min(std::max(field.fieldOfView, more.fieldOfView + 2 * aside), 2 * std::numbers::pi);
 }
 

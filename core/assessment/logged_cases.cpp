@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/angle.h"
 #include "geometry/point.h"
 #include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
@@ -84,7 +85,7 @@ private:
             const auto place = view_.positionOf(from, i, look.time);
             if (!place) continue;
             const Point offset = *place - position(own);
-            LoggedCase one{i, length(offset), wrappedAngle(direction(offset) - own.heading)};
+            LoggedCase one{i, length(offset), wrapAngleNearly(direction(offset) - own.heading)};
             if (one.range > cases_.rule.range || std::abs(one.bearing) > cases_.rule.bearing) continue;
             addReading(look, one);
             robot.readings += one.reported;
@@ -100,7 +101,7 @@ private:
         one.measuredRange = reading->range;
         one.measuredBearing = reading->bearing;
         one.sound = std::abs(one.measuredRange - one.range) <= cases_.rule.grossRange &&
-                    std::abs(wrappedAngle(one.measuredBearing - one.bearing)) <= cases_.rule.grossBearing;
+                    std::abs(wrapAngle(one.measuredBearing - one.bearing)) <= cases_.rule.grossBearing;
     }
 
     const Log& log_;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/angle.h"
 #include "geometry/elementary.h"
 #include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
-#include "perception/logged_view.h"
 #include "sensing/sensor.h"
 #include "simulation/observe.h"
 #include "world/noise.h"
@@ -43,7 +43,7 @@ SensedSubject sensedFrom(const Pose& own, std::size_t subject, const Point& plac
     SensedSubject sensed;
     sensed.subject = subject;
     sensed.range = length(offset);
-    sensed.bearing = wrappedAngle(arcTangent(offset.y, offset.x) - own.heading);
+    sensed.bearing = wrapAngleNearly(arcTangent(offset.y, offset.x) - own.heading);
     sensed.inView = field.holds(sensed.range, sensed.bearing);
     return sensed;
 }
@@ -51,7 +51,7 @@ SensedSubject sensedFrom(const Pose& own, std::size_t subject, const Point& plac
 void report(SensedSubject& sensed, double range, double bearing) {
     sensed.reported = true;
     sensed.rangeError = range - sensed.range;
-    sensed.bearingError = wrappedAngle(bearing - sensed.bearing);
+    sensed.bearingError = wrapAngle(bearing - sensed.bearing);
 }
 
 void leaveOutUnseen(SensedLook& look) {

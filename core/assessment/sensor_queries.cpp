@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "geometry/pose.h"
 #include "io/file.h"
 #include "learning/parallel_for.h"
 #include "logs/csv_rows.h"
@@ -134,7 +135,7 @@ std::string sensorSamplesCsv(std::span<const SensorQuery> queries, std::span<con
             std::snprintf(row, sizeof row, "%d,%s,%s,%s,%.5f,%d,%.4f,%.5f\n", query.dataset, query.robot.c_str(),
                           secondsText(query.time).c_str(), query.subject.c_str(), chance, s,
                           std::max(0.0, prediction.state.range + error[0]),
-                          wrappedAngle(prediction.state.bearing + error[1]));
+                          wrapAngle(prediction.state.bearing + error[1]));
             parts[i] += row;
         }
     });

@@ -6,7 +6,7 @@
 
 #include "assessment/reading_scores.h"
 #include "geometry/elementary.h"
-#include "perception/logged_view.h"
+#include "geometry/pose.h"
 
 namespace mrose {
 namespace {
@@ -42,7 +42,7 @@ std::vector<CalibrationGroup> groupsOf(std::span<const LoggedCase> cases, std::s
 }  // namespace
 
 ReadingError CasePrediction::errorOf(const LoggedCase& one) const {
-    return {one.measuredRange - range, wrappedAngle(one.measuredBearing - bearing)};
+    return {one.measuredRange - range, wrapAngle(one.measuredBearing - bearing)};
 }
 
 CaseScore scoreOf(const LoggedCase& one, const CasePrediction& prediction) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/angle.h"
 #include "logs/pose_grid.h"
 #include "world/noise.h"
 
@@ -75,7 +76,7 @@ private:
                 continue;
             }
             SensorCase& added = samples_.cases.emplace_back(SensorCase{state, subject.subject, reported, {}});
-            if (reported) added.error = {reading->range - state.range, wrappedAngle(reading->bearing - state.bearing)};
+            if (reported) added.error = {reading->range - state.range, wrapAngle(reading->bearing - state.bearing)};
         }
         if (!again) samples_.unknownPlace += static_cast<std::int64_t>(look.readings.size()) - found;
     }
@@ -129,7 +130,7 @@ private:
         one.reported = reported != nullptr;
         if (!one.reported) return one;
         const Pose error = relative(one.state.own, *reported);
-        one.error = {error.x, error.y, wrappedAngle(error.heading)};
+        one.error = {error.x, error.y, wrapAngleNearly(error.heading)};
         return one;
     }
 

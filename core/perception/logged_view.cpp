@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "geometry/angle.h"
 #include "geometry/elementary.h"
 #include "geometry/point.h"
 #include "logs/log_lookup.h"
@@ -24,7 +24,7 @@ void countOthers(std::vector<LoggedSubject>& subjects, const View& view) {
         for (const LoggedSubject& other : subjects) {
             if (&other == &subject || !view.holds(other.state.range, other.state.bearing)) continue;
             subject.state.others += 1;
-            const double angle = std::abs(wrappedAngle(other.state.bearing - subject.state.bearing));
+            const double angle = angleBetween(other.state.bearing, subject.state.bearing);
             SensedState& state = subject.state;
             state.separation = std::min(state.separation, angle);
             if (other.state.range < state.range) state.nearerSeparation = std::min(state.nearerSeparation, angle);
@@ -32,12 +32,6 @@ void countOthers(std::vector<LoggedSubject>& subjects, const View& view) {
 }
 
 }  // namespace
-
-double wrappedAngle(double angle) {
-    constexpr double turn = 2 * std::numbers::pi;
-    const double wrapped = angle - turn * nearestWhole(angle / turn);
-    return wrapped > -std::numbers::pi ? wrapped : wrapped + turn;
-}
 
 LoggedView::LoggedView(const Log& log, const TrackedSizes& sizes) : log_(log), sizes_(sizes) {
     for (const LogSubject& subject : log.subjects) {
@@ -106,7 +100,7 @@ std::vector<LoggedSubject> LoggedView::at(std::size_t robot, std::size_t traject
         SensedState state = own;
         state.subject = body.robot ? SubjectKind::robot : SubjectKind::landmark;
         state.range = body.distance;
-        state.bearing = wrappedAngle(arcTangent(body.offset.y, body.offset.x) - own.own.heading);
+        state.bearing = wrapAngleNearly(arcTangent(body.offset.y, body.offset.x) - own.own.heading);
         state.edge = viewEdge(state.bearing, view.fieldOfView);
         for (const Body& other : bodies)
             if (&other != &body) passBy(other.offset, other.distance, other.radius, body.offset, state);

@@ -65,7 +65,4 @@ private:
     std::vector<std::optional<std::size_t>> robotOf_;  ///< by subject: in Log::robots
 };
 
-/// An angle in (-pi, pi].
-double wrappedAngle(double angle);
-
 }  // namespace mrose

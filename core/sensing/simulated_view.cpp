@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/angle.h"
 #include "geometry/elementary.h"
 #include "sensing/sensor_view.h"
 
@@ -19,11 +20,6 @@ constexpr double wide = 0.3;  // m: obstacles that wide hide all that is behind 
 constexpr std::size_t few = 64;
 
 constexpr double rounding = 1e-9;
-
-double sizeOfAngleBetween(double a, double b) {
-    const double angle = std::abs(a - b);
-    return std::min(angle, 2 * std::numbers::pi - angle);
-}
 
 /// Two corners of a box that holds all of a view within `reach`, and `pad` around it.
 std::pair<Point, Point> boxOfView(const Placement& eye, double halfCosine, double halfSine, double reach, double pad) {
@@ -284,7 +280,7 @@ void SimulatedView::countOthers(std::size_t subject, SensedState& state) const {
         const Subject& other = subjects_[i];
         if (i == subject || !other.counts) continue;
         state.others += 1;
-        const double angle = sizeOfAngleBetween(other.bearing, state.bearing);
+        const double angle = angleBetween(other.bearing, state.bearing);
         state.separation = std::min(state.separation, angle);
         if (other.range < state.range) state.nearerSeparation = std::min(state.nearerSeparation, angle);
     }

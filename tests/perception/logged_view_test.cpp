@@ -1,7 +1,6 @@
 #include "perception/logged_view.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -132,12 +131,6 @@ TEST(LoggedViews, OtherRobotsAreWhereTheyWereInTheSameSession) {
     EXPECT_EQ(stateOf(subjects, 1), nullptr) << "it has several, and none of this name";
     ASSERT_NE(stateOf(subjects, 2), nullptr);
     EXPECT_EQ(stateOf(subjects, 2)->unknownRobots, 0.5);
-}
-
-TEST(LoggedViews, AnglesAreWrapped) {
-    EXPECT_NEAR(wrappedAngle(3 * std::numbers::pi / 2), -std::numbers::pi / 2, 1e-12);
-    EXPECT_EQ(wrappedAngle(-std::numbers::pi), std::numbers::pi);
-    EXPECT_NEAR(wrappedAngle(20), 20 - 6 * std::numbers::pi, 1e-12);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include "geometry/point.h"
 #include "io/file.h"
-#include "perception/logged_view.h"
 #include "world/noise.h"
 
 namespace mrose {
@@ -37,7 +36,7 @@ CameraFolder::CameraFolder() : MrclamFolder(1) {
         const Pose eye = robotAt(t - 0.04);
         for (int i = 0; i < landmarks; ++i) {
             const Point offset = placeOf(i) - position(eye);
-            const double bearing = wrappedAngle(direction(offset) - eye.heading);
+            const double bearing = wrapAngle(direction(offset) - eye.heading);
             const auto channel = static_cast<std::uint32_t>(i);
             if (std::abs(bearing) > 0.5 || uniformNoise({3, k, 0, channel}) > 0.8) continue;
             const NoisePair errors = normalPair({4, k, 0, channel});

@@ -63,7 +63,7 @@ Log seenLog(const SensorModel& camera, double seconds) {
             if (!of.reports(draw)) continue;
             const ReadingError error = of.error(draw);
             look.readings.push_back({subject.subject, std::max(0.0, subject.state.range + error[0]),
-                                     wrappedAngle(subject.state.bearing + error[1])});
+                                     wrapAngle(subject.state.bearing + error[1])});
         }
         seen.looks.push_back(std::move(look));
     }
