@@ -16,19 +16,14 @@ namespace {
 void passBy(const Point& offset, double distance, double radius, const Point& subject, SensedState& state) {
     if (distance >= state.range || dot(offset, subject) <= 0) return;
     const double aside = std::abs(cross(offset, subject)) / state.range - radius;
-    state.clearance = std::max(std::min(state.clearance, aside), -SensedState::hidden);
+    state.clearance = clearancePast(state.clearance, aside);
 }
 
 void countOthers(std::vector<LoggedSubject>& subjects, const View& view) {
     for (LoggedSubject& subject : subjects)
-        for (const LoggedSubject& other : subjects) {
-            if (&other == &subject || !view.holds(other.state.range, other.state.bearing)) continue;
-            subject.state.others += 1;
-            const double angle = angleBetween(other.state.bearing, subject.state.bearing);
-            SensedState& state = subject.state;
-            state.separation = std::min(state.separation, angle);
-            if (other.state.range < state.range) state.nearerSeparation = std::min(state.nearerSeparation, angle);
-        }
+        for (const LoggedSubject& other : subjects)
+            if (&other != &subject && view.holds(other.state.range, other.state.bearing))
+                countOther(subject.state, other.state.range, other.state.bearing);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+
+#include "geometry/angle.h"
 #include "geometry/pose.h"
 #include "world/command.h"
 
@@ -31,6 +34,19 @@ struct SensedState {
 
     Pose own;  ///< of a robot that reports its own pose, in the world's frame
 };
+
+/// The clearance of a line, where a nearer body's outline is `aside` of it too.
+inline double clearancePast(double clearance, double aside) {
+    return std::max(std::min(clearance, aside), -SensedState::hidden);
+}
+
+/// Another subject in view.
+inline void countOther(SensedState& state, double range, double bearing) {
+    state.others += 1;
+    const double angle = angleBetween(bearing, state.bearing);
+    state.separation = std::min(state.separation, angle);
+    if (range < state.range) state.nearerSeparation = std::min(state.nearerSeparation, angle);
+}
 
 /// SensedState::edge of a sensor that sees `fieldOfView` rad around the heading.
 double viewEdge(double bearing, double fieldOfView);

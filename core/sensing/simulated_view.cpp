@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "geometry/angle.h"
 #include "geometry/elementary.h"
 #include "sensing/sensor_view.h"
 
@@ -99,7 +98,7 @@ struct SimulatedView::SightLine {
     }
 
 private:
-    void note(double aside) { clearance = std::max(std::min(clearance, aside), -SensedState::hidden); }
+    void note(double aside) { clearance = clearancePast(clearance, aside); }
 };
 
 void SimulatedView::add(SubjectKind kind, std::uint32_t index, const Point& place) {
@@ -278,11 +277,7 @@ void SimulatedView::alongObstacles(const SensorView& view, SightLine& line) cons
 void SimulatedView::countOthers(std::size_t subject, SensedState& state) const {
     for (std::size_t i = 0; i < subjects_.size(); ++i) {
         const Subject& other = subjects_[i];
-        if (i == subject || !other.counts) continue;
-        state.others += 1;
-        const double angle = angleBetween(other.bearing, state.bearing);
-        state.separation = std::min(state.separation, angle);
-        if (other.range < state.range) state.nearerSeparation = std::min(state.nearerSeparation, angle);
+        if (i != subject && other.counts) countOther(state, other.range, other.bearing);
     }
 }
 
