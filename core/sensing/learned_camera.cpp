@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "geometry/normal_distribution.h"
+#include "sensing/own_velocity.h"
 #include "sensing/sensor_keys.h"
 #include "sensing/sensor_view.h"
 
 namespace mrose {
 namespace {
-
-constexpr Nanoseconds leastReach = 40'000'000;  // that velocities are found over
 
 constexpr std::array<const char*, LearnedCamera::channels> channelNames{"reported", "range", "bearing"};
 
@@ -30,7 +29,7 @@ LearnedCamera::LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const
     : learned_(std::move(learned)),
       traits_(traits),
       latency_(options.latency.value_or(learned_->network().latency)),
-      reach_(std::max(latency_, leastReach)),
+      reach_(velocityReach(latency_)),
       sight_(sightOf(learned_->network())),
       weights_(learned_->network().noise) {
     const SensorNetwork& network = learned_->network();
@@ -140,11 +139,7 @@ int LearnedCamera::robotOf(const SensorView& view) const {
 }
 
 Velocity LearnedCamera::ownVelocity(const SensorView& view, const Placement& own) const {
-    const Nanoseconds before = view.measured - reach_;
-    const Nanoseconds after = std::min(view.measured + reach_, view.timeBefore(0));
-    const Pose from = view.poseAt(view.robot, before), to = view.poseAt(view.robot, after);
-    const double duration = toSeconds(after - before);
-    return {own.rotateBack(position(to) - position(from)).x / duration, (to.heading - from.heading) / duration};
+    return mrose::ownVelocity(view, own, reach_);
 }
 
 void LearnedCamera::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
@@ -185,8 +180,7 @@ void LearnedCamera::sense(const SensorView& view, std::span<std::byte> memory, O
                 const SimulatedView::Subject& subject = subjects[b.which[b.reported[i]]];
                 if (subject.kind != kind) continue;
                 const double range = std::max(0.0, subject.range + b.errors[i][0]);
-                b.seen.push_back(
-                    {subject.index, range * towards(subject.bearing + b.errors[i][1]), view.measured});
+                b.seen.push_back({subject.index, range * towards(subject.bearing + b.errors[i][1]), view.measured});
             }
             out.add(gives_[reading].name, view.measured, std::span<const SeenBody>(b.seen));
         }

@@ -9,6 +9,7 @@
 #include "perception/learned_sensor.h"
 #include "perception/reading_noise.h"
 #include "scene/perception.h"
+#include "sensing/learned_options.h"
 #include "sensing/sensor.h"
 #include "world/noise.h"
 
@@ -24,10 +25,7 @@ class LearnedCamera final : public Sensor {
 public:
     static constexpr std::size_t mostName = 21;  ///< characters, for NAME.landmarks
 
-    struct Options {
-        std::optional<std::string> robot;  ///< whose camera; nullopt: SceneRobot::motionRobot's, where it was learned
-        std::optional<Nanoseconds> latency;
-    };
+    using Options = LearnedSensorOptions;
     /// The network is of subjects, not of poses. A period of 0 is the network's.
     LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits, const Options& options);
     LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits)

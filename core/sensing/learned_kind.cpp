@@ -17,15 +17,15 @@ std::string knownRobots(const SensorNetwork& network) {
 
 SensorPointer readLearnedSensor(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& networks) {
     const std::shared_ptr<const LearnedSensor> learned = networks(table, "network");
-    LearnedCamera::Options options;
+    LearnedSensorOptions options;
     if (table.has("robot")) options.robot = name(table, "robot");
     if (!learned || table.failed()) return nullptr;
     const SensorNetwork& network = learned->network();
     if (options.robot && learned->robotIndex(*options.robot) < 0)
         table.reject("robot", "is none of the network's robots: " + knownRobots(network));
-    if (network.measures == SensorNetwork::Measures::pose)
-        return table.failed() ? nullptr : std::make_shared<const LearnedLocaliser>(learned, traits, options.robot);
     if (table.has("latency_s")) options.latency = duration(table, "latency_s", latencies);
+    if (network.measures == SensorNetwork::Measures::pose)
+        return table.failed() ? nullptr : std::make_shared<const LearnedLocaliser>(learned, traits, options);
     if (traits.name.size() > LearnedCamera::mostName)
         table.reject("name", "expected at most " + std::to_string(LearnedCamera::mostName) +
                                  " characters, because of the reading \"" + traits.name + ".landmarks\"");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/point.h"
+#include "sensing/own_velocity.h"
 #include "sensing/sensor_view.h"
 
 namespace mrose {
@@ -12,25 +13,16 @@ namespace {
 /// The counters of a look's draws: one for each channel's numbers, and which component it is.
 enum LookDraw : std::uint32_t { channelNumbers = 0, whichComponent = readingChannels };
 
-/// The mean velocity over up to 0.1 s after the instant `lag` ticks ago; now, where there is no time after it.
-Velocity velocityBefore(const SensorView& view, std::int64_t lag) {
-    constexpr Nanoseconds over = 100'000'000;
-    const std::int64_t ticks = std::min(lag, view.scene.ticksOf(over));
-    if (ticks == 0) {
-        const Twist& now_B = view.state.robots[view.robot].velocity_B;
-        return {now_B.x, now_B.rotation};
-    }
-    const Pose &from = view.poseBefore(view.robot, lag), &to = view.poseBefore(view.robot, lag - ticks);
-    const double seconds = toSeconds(ticks * view.scene.tickLength);
-    return {dot(position(to) - position(from), towards(from.heading)) / seconds, (to.heading - from.heading) / seconds};
-}
-
 }  // namespace
 
 LearnedLocaliser::LearnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
-                                   const std::optional<std::string>& robot)
-    : learned_(std::move(learned)), traits_(traits), weights_(learned_->network().noise) {
-    if (robot) robot_ = learned_->robotIndex(*robot);
+                                   const Options& options)
+    : learned_(std::move(learned)),
+      traits_(traits),
+      latency_(options.latency.value_or(learned_->network().latency)),
+      reach_(velocityReach(latency_)),
+      weights_(learned_->network().noise) {
+    if (options.robot) robot_ = learned_->robotIndex(*options.robot);
     assert(learned_->network().measures == SensorNetwork::Measures::pose);
     if (traits_.period == 0) traits_.period = learned_->network().period;
 }
@@ -78,17 +70,16 @@ void LearnedLocaliser::sense(const SensorView& view, std::span<std::byte> memory
     auto& own = as<Memory>(memory);
     carryOn(view, own);
     if (!view.wants(0)) return;
-    const std::int64_t lag = view.lagOf(latency());
     SensedState state;
-    state.own = view.poseBefore(view.robot, lag);
-    state.velocity = velocityBefore(view, lag);
+    state.own = view.poseAt(view.robot, view.measured);
+    state.velocity = ownVelocity(view, Placement(state.own), reach_);
     ReadingDistribution distribution;
     const int robot = robot_ ? *robot_ : learned_->robotIndex(view.scene.robots[view.robot].motionRobot);
     learned_->distributions({&state, 1}, robot, {&distribution, 1});
     const ReadingDraw draw = drawOf(view, own);
     if (!distribution.reports(draw)) return;
     const ReadingError error = distribution.error(draw);
-    out.add(traits_.name, view.timeBefore(lag), state.own * Pose{error[0], error[1], error[2]});
+    out.add(traits_.name, view.measured, state.own * Pose{error[0], error[1], error[2]});
 }
 
 }  // namespace mrose

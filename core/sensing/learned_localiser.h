@@ -5,18 +5,18 @@
 #include <string>
 
 #include "perception/learned_sensor.h"
+#include "sensing/learned_options.h"
 #include "sensing/sensor.h"
 
 namespace mrose {
 
-/// Where its robot is, as a learned sensor says: each look one Pose in the world's frame, or none where it reports
-/// none.
+/// Where its robot is, as a learned sensor says: at its own period, one Pose in the world's frame as it was its latency
+/// ago, or none where it reports none.
 class LearnedLocaliser final : public Sensor {
 public:
-    /// `learned` measures poses. `robot`: whose localisation; nullopt: SceneRobot::motionRobot's, where it was learned,
-    /// else as the mean of all. A period of 0 is the network's.
-    LearnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
-                     const std::optional<std::string>& robot = std::nullopt);
+    using Options = LearnedSensorOptions;
+    /// `learned` measures poses. A period of 0 is the network's.
+    LearnedLocaliser(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits, const Options& options);
 
     struct Memory {
         ChannelNumbers slow{};    ///< what lasts of each channel's number: standard normal
@@ -26,7 +26,9 @@ public:
     std::string name() const override { return traits_.name; }
     std::vector<ReadingKind> gives() const override { return {{traits_.name, &recordType<Pose>()}}; }
     Nanoseconds period() const override { return traits_.period; }
-    Nanoseconds latency() const override { return learned_->network().latency; }
+    Nanoseconds latency() const override { return latency_; }
+    bool exact() const override { return true; }
+    Nanoseconds lookBack() const override { return latency_ + reach_; }
     std::size_t memorySize() const override { return sizeof(Memory); }
     bool sound(std::span<const std::byte> memory) const override;
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
@@ -40,6 +42,7 @@ private:
     std::shared_ptr<const LearnedSensor> learned_;
     SensorTraits traits_;
     std::optional<int> robot_;  ///< of the network's
+    Nanoseconds latency_, reach_;
     NoiseWeights weights_;
 };
 

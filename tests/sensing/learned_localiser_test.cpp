@@ -56,10 +56,12 @@ SensorNetwork someLocalisation() {
     return network;
 }
 
-Scenario localised(const SensorNetwork& network, std::shared_ptr<const Controller> controller, Nanoseconds period = 0) {
+Scenario localised(const SensorNetwork& network, std::shared_ptr<const Controller> controller, Nanoseconds period = 0,
+                   const std::optional<Nanoseconds>& latency = std::nullopt) {
     RobotType type = discRobot(0.2);
     type.sensors = {std::make_shared<const LearnedLocaliser>(std::make_shared<const LearnedSensor>(network),
-                                                             SensorTraits{"place", period}, "a")};
+                                                             SensorTraits{"place", period},
+                                                             LearnedLocaliser::Options{"a", latency})};
     return SmallWorld()
         .robot(type, {1, 2, 0.5}, std::move(controller),
                std::make_shared<const KinematicModel>(KinematicParameters{}, 100 * localiserMillisecond))
@@ -123,6 +125,78 @@ TEST(LearnedLocalisers, ReportByTheirClockWhatWasTheirLatencyAgo) {
         EXPECT_EQ(reports[i].measured - reports[i - 1].measured, 60 * localiserMillisecond);
         EXPECT_GE(reports[i].arrived - reports[i].measured, 80 * localiserMillisecond);
         EXPECT_NEAR(reports[i].error.x, 0, 1e-3);
+    }
+}
+
+/// One that is never wrong by more than a picometre.
+SensorNetwork exactLocalisation() {
+    SensorNetwork network = constantLocalisation({8, 0, 0, 0, 0, 0, 0});
+    network.gross = {1, {1e-12, 1e-12, 1e-12}};
+    return network;
+}
+
+/// Neither their period nor, here, their latency are whole numbers of ticks. Straight on, and on the spot, a robot is
+/// between two ticks where it is evenly between both.
+TEST(LearnedLocalisers, ReportWhatWasTrueTheirLatencyAgoToTheNanosecond) {
+    for (const Command& command : {Command{0.3, 0}, Command{0, 0.4}})
+        for (const Nanoseconds latency : {0, 33, 80, 117})
+            for (const Nanoseconds period : {0, 73, 236}) {
+                SensorNetwork network = exactLocalisation();
+                network.period = 0;  // with none it measures for each control instant
+                const Scenario scenario = localised(network, std::make_shared<const Told>(command),
+                                                    period * localiserMillisecond, latency * localiserMillisecond);
+                WorldState state = scenario.initialState(4);
+                state.robots[0].velocity_B = {command.v, 0, command.w};  // at its speed from the start on
+                StepBuffers buffers;
+                StepTrace trace;
+                int reported = 0;
+                Nanoseconds before = -1;
+                for (int k = 0; k < 500; ++k) {
+                    const Nanoseconds now = scenario.scene().timeOf(state.tick);
+                    step(scenario, state, buffers, {}, &trace);
+                    if (!trace.robots[0].observed) continue;
+                    const Observation& seen = trace.robots[0].observation;
+                    for (const Reading& reading : seen.readings()) {
+                        if (reading.name != "place") continue;
+                        if (period == 0) {
+                            ASSERT_EQ(reading.measured, now - latency * localiserMillisecond);
+                        } else {
+                            ASSERT_EQ(reading.measured % (period * localiserMillisecond), 0);
+                            ASSERT_GE(now, reading.measured + latency * localiserMillisecond);
+                            ASSERT_LT(now, reading.measured + (latency + 120) * localiserMillisecond);
+                            if (reported > 0) {
+                                ASSERT_EQ(reading.measured - before, period * localiserMillisecond);
+                            }
+                        }
+                        before = reading.measured;
+                        ++reported;
+                        const double driven = std::max(0.0, toSeconds(reading.measured));
+                        const Pose pose = seen.records<Pose>(&reading)[0];
+                        EXPECT_NEAR(pose.x, 1 + command.v * driven * std::cos(0.5), 1e-9);
+                        EXPECT_NEAR(pose.y, 2 + command.v * driven * std::sin(0.5), 1e-9);
+                        EXPECT_NEAR(pose.heading, 0.5 + command.w * driven, 1e-9) << latency << ' ' << period;
+                    }
+                }
+                EXPECT_GT(reported, 10'000 / std::max<Nanoseconds>(period, 100) - 3);
+            }
+}
+
+/// It reports where it drives faster than 0.15 m/s.
+TEST(LearnedLocalisers, KnowTheirRobotsVelocity) {
+    SensorNetwork network = constantLocalisation({0, 0, 0, 0, 0, 0, 0});
+    std::vector<NetworkVariable>& inputs = network.learned.inputs;
+    const auto speed =
+        static_cast<std::size_t>(std::ranges::find(inputs, "speed", &NetworkVariable::name) - inputs.begin());
+    inputs[speed].mean = 0.15;
+    Mlp& mlp = std::get<Mlp>(network.learned.regressor);
+    mlp.parameters[speed] = 1000;
+    mlp.parameters[inputs.size() + 1] = 8;  // of the hidden unit to the quantile
+    const auto driving =
+        std::make_shared<const Told>(std::vector<StampedCommand>{{0, {0.3, 0}}, {4'000 * localiserMillisecond, {}}});
+    for (const Nanoseconds latency : {0, 33, 117}) {
+        const auto reports = reportsOf(localised(network, driving, 0, latency * localiserMillisecond), 400, 4);
+        EXPECT_NEAR(static_cast<double>(reports.size()), 40, 2);
+        for (const Reported& one : reports) EXPECT_LT(one.measured, 4'050 * localiserMillisecond);
     }
 }
 
