@@ -24,6 +24,24 @@ BodySight sightOf(const SensorNetwork& network) {
 
 }  // namespace
 
+LearnedCamera::Memory::Slot* LearnedCamera::Memory::find(std::uint32_t subject) {
+    Slot& first = slots[subject % slots.size()];
+    if (first.owner == subject + 1) return &first;
+    const auto own = std::ranges::find(slots, subject + 1, &Slot::owner);
+    return own == slots.end() ? nullptr : &*own;
+}
+
+LearnedCamera::Memory::Slot* LearnedCamera::Memory::take(std::uint32_t subject, Nanoseconds now) {
+    Slot* slot = &slots[subject % slots.size()];
+    if (slot->owner != 0) {
+        const auto free = std::ranges::find(slots, 0u, &Slot::owner);
+        slot = free != slots.end() ? &*free : &*std::ranges::min_element(slots, {}, &Slot::looked);
+    }
+    if (slot->owner != 0 && slot->looked == now) return nullptr;
+    *slot = {.owner = subject + 1};
+    return slot;
+}
+
 LearnedCamera::LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const SensorTraits& traits,
                              const Options& options)
     : learned_(std::move(learned)),
@@ -108,14 +126,16 @@ double LearnedCamera::numberOf(std::size_t channel, const UniformDraws& draws, d
     return number + weights_.subject[channel] * static_cast<double>(part);
 }
 
-/// Each subject has draws of its own, so that no other one changes what is reported of it.
+/// Each subject has draws of its own, and a slot as long as no more are in view than there are slots, so that no other
+/// one changes what is reported of it.
 double LearnedCamera::reportedNumber(const SensorView& view, std::uint32_t subject, const Channels& common,
                                      Memory& memory) const {
-    Memory::Slot& slot = memory.slots[subject % memory.slots.size()];
-    const bool known = slot.subject == subject + 1;
-    if (!known) slot = {subject + 1, 0, {}, 0, 0};
+    Memory::Slot none;
+    Memory::Slot* const own = memory.find(subject);
+    Memory::Slot* const taken = own != nullptr ? own : memory.take(subject, view.measured);
+    Memory::Slot& slot = taken != nullptr ? *taken : none;
     const UniformDraws draws(view.key(1 + subject));
-    const double number = numberOf(0, draws, common[0], slot, known, slot.looked, view.measured);
+    const double number = numberOf(0, draws, common[0], slot, own != nullptr, slot.looked, view.measured);
     slot.looked = view.measured;
     return number;
 }
@@ -123,7 +143,9 @@ double LearnedCamera::reportedNumber(const SensorView& view, std::uint32_t subje
 /// After reportedNumber().
 ReadingDraw LearnedCamera::errorDraw(const SensorView& view, std::uint32_t subject, const Channels& common,
                                      Memory& memory) const {
-    Memory::Slot& slot = memory.slots[subject % memory.slots.size()];
+    Memory::Slot none;
+    Memory::Slot* const own = memory.find(subject);
+    Memory::Slot& slot = own != nullptr ? *own : none;
     const UniformDraws draws(view.key(1 + subject));
     ReadingDraw draw;
     draw.which = draws[0];

@@ -37,7 +37,7 @@ public:
     struct Memory {
         /// Of one subject.
         struct Slot {
-            std::uint32_t subject = 0;      ///< landmarks first, then robots, from 1; 0: nobody's
+            std::uint32_t owner = 0;        ///< subjects from 1, landmarks first, then robots; 0: nobody
             std::uint32_t wasReported = 0;  ///< 0 until there was a reading of it
             std::array<float, channels> parts{};
             Nanoseconds looked = 0;    ///< the last instant at which it was in view
@@ -46,7 +46,13 @@ public:
         Nanoseconds looked = 0;   ///< the last instant of measurement
         std::uint32_t begun = 0;  ///< 0 until the first
         std::array<float, channels> slow{};
-        std::array<Slot, 32> slots{};  ///< subject number modulo 32
+        std::array<Slot, 32> slots{};  ///< a subject's is that of its number modulo 32, if it is free
+
+        /// A subject's own; nullptr: it has none.
+        Slot* find(std::uint32_t subject);
+        /// One for a subject that has none: a free one, else that of the subject that was in view longest ago, the
+        /// first of several. nullptr: all belong to subjects that are in view `now`.
+        Slot* take(std::uint32_t subject, Nanoseconds now);
     };
 
     std::string name() const override { return traits_.name; }
