@@ -1,6 +1,7 @@
 // Scores of a camera on real logs, beside those of the independent referee.
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,9 +10,12 @@
 #include "assessment/sensor_queries.h"
 #include "io/file.h"
 #include "logs/log_reader.h"
+#include "support/places.h"
 #include "support/referee.h"
+#include "support/temporary_folder.h"
 #include "support/test_data.h"
 #include "support/toy_camera.h"
+#include "workflow/predict_readings.h"
 
 namespace mrose {
 namespace {
@@ -99,6 +103,40 @@ TEST(CameraReferee, FindsTheSameCasesAndScores) {
             EXPECT_NEAR(numberAfter(row, "50 %:"), insideByRank(*evaluation, i, d, 0.5), sampling) << row;
             EXPECT_NEAR(numberAfter(row, "90 %:"), insideByRank(*evaluation, i, d, 0.9), sampling) << row;
         }
+}
+
+/// What nets/create_camera.net has to reach on a data set that it was not learned from, by a program independent of
+/// this one.
+TEST(CameraReferee, FindsTheShippedNetworkWithinItsBounds) {
+    const auto data = realData();
+    if (!data || !std::filesystem::is_directory(*data / "mrclam/MRCLAM_Dataset7"))
+        GTEST_SKIP() << "no real logs: set MROSE_DATA";
+    const std::string folder = (*data / "mrclam").string();
+    const auto rows = cameraQueries(folder, 7, "1,2");
+    if (!rows) GTEST_SKIP() << "no referee of cameras, or no Python with numpy";
+    std::istringstream lines(*rows);
+    std::string queries = "dataset,robot,t,subject\n";
+    for (std::string line; std::getline(lines, line);) {
+        std::size_t end = 0;
+        for (int column = 0; column < 3; ++column) end = line.find(',', end + 1);
+        queries += "7," + line.substr(0, end) + '\n';
+    }
+    const TemporaryFolder work;
+    const std::string samples = (work.path() / "samples.csv").string();
+    PredictReadingsRequest request{(sourceFolder() / "nets/create_camera.net").string(), folder + "/MRCLAM_Dataset7",
+                                   work.write("queries.csv", queries).string(), samples};
+    request.robots = {"1", "2"};
+    request.samples = 40;
+    const auto predicted = predictReadings(request);
+    ASSERT_TRUE(predicted) << predicted.error().message();
+    const auto verdict = cameraVerdict(folder, 7, "1,2", samples);
+    ASSERT_TRUE(verdict) << "the referee refuses the predictions";
+    const std::string total = verdict->substr(verdict->find("queries="));
+    EXPECT_EQ(numberAfter(total, "queries="), static_cast<double>(predicted->queries));
+    EXPECT_LE(numberAfter(total, "range="), 1.5) << "cm";
+    EXPECT_LE(numberAfter(total, "bearing[2]="), 4.6) << "mrad";
+    EXPECT_GE(numberAfter(total, "detection="), -0.4) << "mean logarithm of the likelihood";
+    EXPECT_LE(numberAfter(total, "off="), 6) << "percentage points";
 }
 
 }  // namespace
