@@ -68,8 +68,7 @@ double errorQuantile(const ReadingDistribution& predicted, int dimension, double
         high = std::max(high, quantile);
     };
     const double normal = normalQuantile(share);
-    for (const Component& component : predicted.components())
-        include(component.mean[d] + normal * component.spread[d]);
+    for (const Component& component : predicted.components()) include(component.mean[d] + normal * component.spread[d]);
     if (predicted.gross.share > 0) include((2 * share - 1) * predicted.gross.reach[d]);
     while (high - low > 1e-7) {
         const double middle = 0.5 * (low + high);

@@ -6,6 +6,7 @@
 #include "geometry/angle.h"
 #include "geometry/elementary.h"
 #include "logs/log_lookup.h"
+#include "logs/looks.h"
 #include "logs/pose_grid.h"
 #include "sensing/sensor.h"
 #include "simulation/observe.h"
@@ -72,9 +73,6 @@ bool lookedThen(const std::vector<Look>& looks, Nanoseconds stamp, Nanoseconds p
     return (next != looks.end() && next->time - stamp <= pause) ||
            (next != looks.begin() && stamp - std::prev(next)->time <= pause);
 }
-
-/// As addEmptyLooks() has it: a pause of more is no pause between looks.
-constexpr std::ptrdiff_t mostEmptyLooks = 7;
 
 /// Leaves out a robot's empty looks of which more follow each other than a log of what was seen would show.
 void leaveOutPauses(std::vector<SensedLook>& looks, std::size_t robot) {

@@ -17,10 +17,10 @@ struct Share {
 
 }  // namespace
 
-ConstantNoise fitConstantNoise(const SensorNetwork& sensor, const SensorSamples& samples) {
+ConstantNoise fitConstantNoise(const SensorNetwork& sensor, const SensorSamples& samples, const SoundErrors& sound) {
     Share seen, unseen;
     ReadingError squares{};
-    double sound = 0;
+    double count = 0;
     const auto dimensions = static_cast<std::size_t>(sensor.form.dimensions);
     for (const SampledLook& look : samples.looks)
         for (std::size_t i = look.first; i < look.first + look.count && !look.unknown; ++i) {
@@ -28,15 +28,13 @@ ConstantNoise fitConstantNoise(const SensorNetwork& sensor, const SensorSamples&
             if (sensor.landmarks && one.state.subject == SubjectKind::robot) continue;
             const bool inView = sensor.measures == SensorNetwork::Measures::pose || ideallySeen(sensor.view, one.state);
             (inView ? seen : unseen).add(one.reported);
-            bool isSound = one.reported;
-            for (std::size_t d = 0; d < dimensions; ++d)
-                isSound = isSound && std::abs(one.error[d]) <= 0.5 * sensor.gross.reach[d];
-            if (!isSound) continue;
-            ++sound;
+            if (!one.reported || !sound.holds(one.error)) continue;
+            ++count;
             for (std::size_t d = 0; d < dimensions; ++d) squares[d] += one.error[d] * one.error[d];
         }
     ConstantNoise noise{seen.value(), unseen.value(), {}};
-    for (std::size_t d = 0; d < dimensions; ++d) noise.spread[d] = std::max(std::sqrt(squares[d] / sound), 1e-6);
+    for (std::size_t d = 0; d < dimensions; ++d)
+        noise.spread[d] = std::max(std::sqrt(squares[d] / std::max(count, 1.0)), 1e-6);
     return noise;
 }
 

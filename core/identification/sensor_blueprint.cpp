@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/normal_distribution.h"
 #include "perception/sensor_inputs.h"
 
 namespace mrose {
@@ -89,6 +90,42 @@ std::vector<NetworkVariable> sensorInputsFor(const SensorNetwork& network, const
             inputs.push_back({robotInput(robot), std::string(robotInputUnit)});
     findScales(inputs, network, samples);
     return inputs;
+}
+
+std::vector<NetworkVariable> sensorOutputsFor(const SensorNetwork& network, const SensorSamples& samples,
+                                              const SoundErrors& sound) {
+    constexpr double leastDeviation = 1e-4;
+    const ReadingForm& form = network.form;
+    std::vector<NetworkVariable> outputs = sensorOutputs(network.measures, form);
+    const double cases = static_cast<double>(samples.cases.size());
+    const double reported = static_cast<double>(std::ranges::count_if(samples.cases, &SensorCase::reported));
+    outputs[ReadingForm::reported].mean = normalQuantile(std::clamp(reported, 0.5, cases - 0.5) / cases);
+    const auto setAll = [&](int i, double mean, double scale) {
+        for (int m = 0; m < form.members; ++m) {
+            const int place = ReadingForm::errors + m * form.memberOutputs() + i;
+            outputs[static_cast<std::size_t>(place)].mean = mean;
+            outputs[static_cast<std::size_t>(place)].scale = scale;
+        }
+    };
+    for (int d = 0; d < form.dimensions; ++d) {
+        double sum = 0, squares = 0, count = 0;
+        samples.visitReadings([&](const SensorCase& one) {
+            if (!sound.holds(one.error)) return;
+            const double error = one.error[static_cast<std::size_t>(d)];
+            ++count;
+            sum += error;
+            squares += error * error;
+        });
+        const double mean = sum / count;
+        const double deviation = std::max(std::sqrt(std::max(0.0, squares / count - mean * mean)), leastDeviation);
+        for (int k = 0; k < form.components; ++k) {
+            setAll(form.errorOf(k, d), mean, deviation);
+            // components begin of different widths, so that each finds its part
+            setAll(form.spreadOf(k, d), logarithm(deviation) + 0.7 * k - 0.3 * (form.components - 1), 1);
+        }
+    }
+    for (int k = 1; k < form.components; ++k) setAll(form.shareOf(k), -1, 1);
+    return outputs;
 }
 
 bool isReadForErrors(std::string_view input) {

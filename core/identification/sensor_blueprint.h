@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "identification/sensor_samples.h"
+#include "identification/sound_errors.h"
 #include "learning/regressor.h"
 #include "perception/sensor_network.h"
 
@@ -11,6 +12,11 @@ namespace mrose {
 
 /// What a learned sensor reads of what is true, with the scales that the samples give.
 std::vector<NetworkVariable> sensorInputsFor(const SensorNetwork& network, const SensorSamples& samples);
+
+/// What the network says of a reading, standardised by all that are sound, so that zeros are a first guess of
+/// everything. `network` says what it measures, and the form.
+std::vector<NetworkVariable> sensorOutputsFor(const SensorNetwork& network, const SensorSamples& samples,
+                                              const SoundErrors& sound);
 
 /// Both halves of what is learned: whether there is a reading, from all cases; its error, from those with one.
 enum class SensorHalf { reported, error };

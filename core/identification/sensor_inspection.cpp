@@ -130,9 +130,14 @@ void findChanges(SensorInspection& found, const RobotLog& robot, const SoundMisf
         Nanoseconds origin = trajectory.poses.front().time;
         if (!trajectory.commands.empty()) origin = std::min(origin, trajectory.commands.front().time);
         const auto changeOf = [&](const LevelChange& level, bool bearing) {
-            return SensorChange{
-                bearing,      trajectory.name, toSeconds(level.begin - origin), toSeconds(level.end - origin),
-                level.offset, level.error};
+            return SensorChange{bearing,
+                                trajectory.name,
+                                toSeconds(level.begin - origin),
+                                toSeconds(level.end - origin),
+                                index,
+                                level,
+                                level.offset,
+                                level.error};
         };
         for (const LevelChange& level : bearings) {
             SensorChange change = changeOf(level, true);

@@ -36,6 +36,10 @@ public:
                 ++samples_.withoutTruth;
                 continue;
             }
+            if (isFalse(log, robot, trajectory, look.time)) {
+                ++samples_.falseTruth;
+                continue;
+            }
             const int block = blockOf(from, look.time - begin, options_);
             const auto add = [&](const std::optional<LoggedView::Unknown>& unknown) {
                 samples_.looks.push_back({log, name, look.time, block, samples_.cases.size(), 0, unknown.has_value()});
@@ -48,6 +52,17 @@ public:
     }
 
 private:
+    bool isFalse(std::size_t log, std::size_t robot, std::size_t trajectory, Nanoseconds time) const {
+        return std::ranges::any_of(options_.falseTruth, [&](const FalseTruth& off) {
+            return off.log == log && off.robot == robot && off.trajectory == trajectory && time >= off.begin &&
+                   time <= off.end;
+        });
+    }
+
+    bool isAsked(SubjectKind kind) const {
+        return kind == SubjectKind::landmark ? options_.landmarks : options_.robotSubjects;
+    }
+
     /// One of the tracked robots, another one every now and then; nothing where there are no two.
     std::optional<LoggedView::Unknown> oneKnown(std::size_t robot, const Trajectory& own, Nanoseconds time) const {
         constexpr Nanoseconds stays = 20'000'000'000;
@@ -71,6 +86,7 @@ private:
             const bool reported = reading != look.readings.end();
             found += reported;
             const SensedState& state = subject.state;
+            if (!isAsked(state.subject)) continue;
             if (!margin_.holds(state.range, state.bearing)) {
                 if (!again) samples_.outOfView += reported;
                 continue;
@@ -139,11 +155,8 @@ private:
     SensorSamples& samples_;
 };
 
-int indexOf(std::vector<std::string>& names, const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<int>(found - names.begin());
-    names.push_back(name);
-    return static_cast<int>(names.size()) - 1;
+int indexOf(const std::vector<std::string>& names, const std::string& name) {
+    return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 template <class Collector>
@@ -158,7 +171,10 @@ SensorSamples collected(std::span<const Log> logs, const SensorSampleOptions& op
                 std::find(options.robots.begin(), options.robots.end(), from.robot) == options.robots.end())
                 continue;
             const int name = indexOf(samples.robots, from.robot);
+            const std::size_t before = samples.looks.size();
             for (std::size_t t = 0; t < from.trajectories.size(); ++t) collector.collect(log, robot, t, name);
+            if (samples.looks.size() > before && static_cast<std::size_t>(name) == samples.robots.size())
+                samples.robots.push_back(from.robot);
         }
     }
     return samples;
@@ -168,8 +184,7 @@ SensorSamples collected(std::span<const Log> logs, const SensorSampleOptions& op
 
 std::size_t SensorSamples::readings() const {
     std::size_t count = 0;
-    for (const SampledLook& look : looks)
-        for (std::size_t i = 0; i < look.count && !look.unknown; ++i) count += cases[look.first + i].reported;
+    visitReadings([&](const SensorCase&) { ++count; });
     return count;
 }
 

@@ -38,8 +38,22 @@ struct SensorSamples {
     std::int64_t withoutTruth = 0;  ///< looks at which it is not known where the robot was: left out
     std::int64_t unknownPlace = 0;  ///< readings of subjects whose place is not known: left out
     std::int64_t outOfView = 0;     ///< readings of subjects that were far out of view: left out
+    std::int64_t falseTruth = 0;    ///< looks at which the ground truth was off: left out
 
     std::size_t readings() const;
+    /// Calls use(case) for each reading, once.
+    template <class Use>
+    void visitReadings(const Use& use) const {
+        for (const SampledLook& look : looks)
+            for (std::size_t i = look.first; i < look.first + look.count && !look.unknown; ++i)
+                if (cases[i].reported) use(cases[i]);
+    }
+};
+
+/// A stretch of a robot's trajectory over which its ground truth was off (SensorChange::Cause::truth).
+struct FalseTruth {
+    std::size_t log = 0, robot = 0, trajectory = 0;  ///< of the logs, of the log's, of the robot's
+    Nanoseconds begin = 0, end = 0;                  ///< stamps of readings
 };
 
 struct SensorSampleOptions {
@@ -50,7 +64,9 @@ struct SensorSampleOptions {
     /// Of a clock by which poses are reported: where they lie up to 50 periods apart, it reported none between them. 0:
     /// it has none.
     Nanoseconds period = 0;
-    View view = {};  ///< subjects within its margin are cases
+    View view = {};                               ///< subjects within its margin are cases
+    bool landmarks = true, robotSubjects = true;  ///< which kinds are
+    std::vector<FalseTruth> falseTruth = {};      ///< looks at which nothing is learned
     TrackedSizes sizes = {};
     double block = 60;  ///< s
 };

@@ -58,11 +58,15 @@ SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sens
     SensorSummary summary;
     std::vector<double> periods, spreads;
     std::vector<SensorLateness> latenesses;
-    for (const Log& log : logs)
-        for (const RobotLog& robot : log.robots) {
-            if (!isOneOf(robot, robots)) continue;
-            const SensorInspection found = inspectSensor(log, robot, sensor);
+    for (std::size_t log = 0; log < logs.size(); ++log)
+        for (std::size_t robot = 0; robot < logs[log].robots.size(); ++robot) {
+            const RobotLog& from = logs[log].robots[robot];
+            if (!isOneOf(from, robots)) continue;
+            const SensorInspection found = inspectSensor(logs[log], from, sensor);
             if (found.looks + found.poses + found.scans == 0) continue;
+            for (const SensorChange& change : found.changes)
+                if (change.cause == SensorChange::Cause::truth)
+                    summary.falseTruth.push_back({log, robot, change.index, change.level.begin, change.level.end});
             summary.readings += found.readings;
             summary.poses += found.poses;
             summary.scans += found.scans;
@@ -81,14 +85,20 @@ SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sens
 
 SensorLateness pooledLateness(std::span<const SensorLateness> each) {
     constexpr double leastError = 1e-4;  // s: no robot decides alone
-    double weights = 0, sum = 0;
+    double count = 0, weights = 0, sum = 0, squares = 0;
     for (const SensorLateness& one : each) {
         if (!one.identified) continue;
         const double error = std::max(one.error, leastError), weight = 1 / (error * error);
+        ++count;
         weights += weight;
         sum += weight * one.lateness;
+        squares += weight * one.lateness * one.lateness;
     }
-    if (weights > 0) return {true, {}, sum / weights, 1 / std::sqrt(weights)};
+    if (weights > 0) {
+        const double mean = sum / weights, off = std::max(0.0, squares - weights * mean * mean);
+        const double disagreement = count > 1 ? std::max(1.0, off / (count - 1)) : 1;
+        return {true, {}, mean, std::sqrt(disagreement / weights)};
+    }
     return {false, each.empty() ? "nothing was reported" : each.front().reason};
 }
 

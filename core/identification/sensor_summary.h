@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "identification/sensor_lateness.h"
+#include "identification/sensor_samples.h"
 #include "logs/robot_log.h"
 
 namespace mrose {
@@ -16,13 +17,14 @@ struct SensorSummary {
     Nanoseconds period = 0;  ///< of the clock, or else the median of the robots' medians; 0: of too few
     /// The robots' mean, weighted by their standard errors. Not identified: none is, for the reason of the first.
     SensorLateness lateness;
+    std::vector<FalseTruth> falseTruth;
 };
 
 /// `robots`: whose; empty: of all.
 SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sensor,
                               const std::vector<std::string>& robots);
 
-/// The mean of those that are identified.
+/// The mean of those that are identified. Its error grows with how far they disagree.
 SensorLateness pooledLateness(std::span<const SensorLateness> each);
 
 }  // namespace mrose

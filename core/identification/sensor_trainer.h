@@ -15,17 +15,18 @@ struct SensorHalfOptions {
     int hidden = 0;          ///< units
     int epochs = 0;          ///< at most
     double weightDecay = 0;  ///< of networks
+    int folds = 2;           ///< parts that are held out in turn, fewer where the samples are too short
 };
 
-/// Part of the samples, whole blocks of time, is held out in turn: that says how many epochs are best, and the held-out
-/// score; then all samples are learned from, for so many epochs.
+/// Part of the samples, whole blocks of time, is held out in turn: that gives the held-out score, and says how many
+/// epochs are best. Then all samples are learned from, for so many epochs. Errors are learned otherwise by networks: as
+/// they are predicted best where those that were learned from different parts each have a share, those are the members.
 struct SensorTrainerOptions {
     RegressorFamily family = RegressorFamily::network;
-    int components = 4;  ///< of the mixture; tables and trees have 1
-    int folds = 4;
-    bool members = false;  ///< errors by one member for each fold
-    SensorHalfOptions reported{.hidden = 16, .epochs = 400, .weightDecay = 1e-3};
-    SensorHalfOptions error{.hidden = 28, .epochs = 1300, .weightDecay = 2e-3};
+    int components = 4;  ///< of a member's mixture; tables and trees have 1
+    SensorHalfOptions reported{.hidden = 16, .epochs = 400, .weightDecay = 1e-3, .folds = 3};
+    SensorHalfOptions error{
+        .hidden = 14, .epochs = 1300, .weightDecay = 2e-3, .folds = 6};  ///< of networks at most maxMembers folds
     int patience = 300;       ///< epochs without a better held-out likelihood after which a fold ends
     double roughness = 1e-5;  ///< of tables
     int trees = 40;           ///< for each output
@@ -35,8 +36,8 @@ struct SensorTrainerOptions {
 /// Learns the distribution of readings. `blueprint` says all that is not learned here: sensor, what it measures and
 /// reports, robots, period, latency, view. Runs in the caller's oneTBB arena; the same samples, options and seed give
 /// the same network whatever the number of threads. Error: too few looks or readings to learn from and to hold out;
-/// `progress` ended it.
+/// more robots than can be told apart; likelihoods that are no numbers; `progress` ended it.
 Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const SensorSamples& samples,
-                                    const SensorTrainerOptions& options, const Progress& progress = {});
+                                    const SensorTrainerOptions& asked, const Progress& progress = {});
 
 }  // namespace mrose

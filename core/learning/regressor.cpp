@@ -87,26 +87,43 @@ Mlp withInputs(const Mlp& mlp, std::span<const int> kept) {
     return part;
 }
 
-/// By where an input is among those that are kept.
-int placeOf(int input, std::span<const int> kept) {
-    return static_cast<int>(std::lower_bound(kept.begin(), kept.end(), input) - kept.begin());
+Mlp amongInputs(const Mlp& mlp, int inputs, std::span<const int> own) {
+    const int hidden = mlp.shape.hidden;
+    Mlp wide{{inputs, hidden, mlp.shape.outputs}, std::vector<float>(static_cast<std::size_t>(hidden * inputs))};
+    const float* from = mlp.parameters.data();
+    for (int j = 0; j < hidden; ++j)
+        for (const int i : own) wide.parameters[static_cast<std::size_t>(j * inputs + i)] = *from++;
+    wide.parameters.insert(wide.parameters.end(), from, mlp.parameters.data() + mlp.parameters.size());
+    return wide;
 }
 
-LookupTable withInputs(const LookupTable& table, std::span<const int> kept) {
-    LookupTable part = table;
-    part.inputs = static_cast<int>(kept.size());
-    for (LookupTable::Grid& grid : part.grids)
-        for (LookupTable::Axis& axis : grid.axes) axis.input = placeOf(axis.input, kept);
-    return part;
+/// With inputs by other numbers.
+template <class NumberOf>
+LookupTable renumbered(LookupTable table, int inputs, const NumberOf& numberOf) {
+    table.inputs = inputs;
+    for (LookupTable::Grid& grid : table.grids)
+        for (LookupTable::Axis& axis : grid.axes) axis.input = numberOf(axis.input);
+    return table;
 }
-
-DecisionTrees withInputs(const DecisionTrees& trees, std::span<const int> kept) {
-    DecisionTrees part = trees;
-    part.inputs = static_cast<int>(kept.size());
-    for (DecisionTrees::Tree& tree : part.trees)
+template <class NumberOf>
+DecisionTrees renumbered(DecisionTrees trees, int inputs, const NumberOf& numberOf) {
+    trees.inputs = inputs;
+    for (DecisionTrees::Tree& tree : trees.trees)
         for (DecisionTrees::Node& node : tree.nodes)
-            if (node.input >= 0) node.input = placeOf(node.input, kept);
-    return part;
+            if (node.input >= 0) node.input = numberOf(node.input);
+    return trees;
+}
+
+template <class Family>
+Family withInputs(const Family& of, std::span<const int> kept) {
+    return renumbered(of, static_cast<int>(kept.size()), [&](int input) {
+        return static_cast<int>(std::lower_bound(kept.begin(), kept.end(), input) - kept.begin());
+    });
+}
+
+template <class Family>
+Family amongInputs(const Family& of, int inputs, std::span<const int> own) {
+    return renumbered(of, inputs, [&](int input) { return own[static_cast<std::size_t>(input)]; });
 }
 
 Mlp sideBySide(const Mlp& a, const Mlp& b) {
@@ -191,6 +208,10 @@ std::vector<int> inputsReadBy(const Regressor& regressor) {
 
 Regressor withInputs(const Regressor& regressor, std::span<const int> kept) {
     return std::visit([&](const auto& of) -> Regressor { return withInputs(of, kept); }, regressor);
+}
+
+Regressor amongInputs(const Regressor& regressor, int inputs, std::span<const int> own) {
+    return std::visit([&](const auto& of) -> Regressor { return amongInputs(of, inputs, own); }, regressor);
 }
 
 Regressor sideBySide(const Regressor& first, const Regressor& second) {

@@ -37,6 +37,9 @@ std::vector<int> inputsReadBy(const Regressor& regressor);
 /// The same mapping of `kept` of its inputs, ascending, which hold all that it reads.
 Regressor withInputs(const Regressor& regressor, std::span<const int> kept);
 
+/// The reverse: of `inputs` inputs it reads those that are listed, ascending, as its own.
+Regressor amongInputs(const Regressor& regressor, int inputs, std::span<const int> own);
+
 /// One mapping to the outputs of both, the first's before the second's: they are of one family and have equal inputs.
 Regressor sideBySide(const Regressor& first, const Regressor& second);
 

@@ -11,7 +11,6 @@
 namespace mrose {
 namespace {
 
-constexpr int mostPeriods = 8;
 constexpr double periodTolerance = 0.012;  // s
 
 void add(Look& look, const LogReading& reading, SensorDefects& defects) {
@@ -29,7 +28,7 @@ Nanoseconds fromMilliseconds(double seconds) { return std::llrint(seconds * 1e3)
 /// How many periods lie between two looks, where it looked between them; 1 where it did not.
 int periodsBetween(double before, double after, double period) {
     const double ratio = std::nearbyint((after - before) / period);
-    if (!(ratio > 1 && ratio <= mostPeriods)) return 1;
+    if (!(ratio > 1 && ratio <= mostEmptyLooks + 1)) return 1;
     return std::abs((after - before) / ratio - period) < periodTolerance ? static_cast<int>(ratio) : 1;
 }
 

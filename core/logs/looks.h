@@ -18,6 +18,9 @@ struct StampedReading {
 /// of a look are of that look. Of a subject's readings in one look the last is kept.
 std::vector<Look> joinLooks(std::vector<StampedReading> readings, Nanoseconds same, SensorDefects& defects);
 
+/// More looks than that between two others are not added: the sensor paused.
+inline constexpr int mostEmptyLooks = 7;
+
 /// Adds the looks that saw nothing and left no row: where two looks are 2 to 8 `period`s apart, to 12 ms a period, the
 /// sensor looked between them too. Their instants, to the millisecond, divide that time evenly. The definition of the
 /// referee of learned cameras on the MRCLAM logs.

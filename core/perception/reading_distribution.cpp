@@ -127,8 +127,8 @@ ReadingError memberError(const ReadingForm& form, const double* values, const Re
     const int k = chosen(form.components, which, [&](int i) { return share[i]; });
     ReadingError error{};
     for (int d = 0; d < form.dimensions; ++d)
-        error[static_cast<std::size_t>(d)] =
-            values[form.errorOf(k, d)] + spreadFrom(values[form.spreadOf(k, d)]) * draw.error[static_cast<std::size_t>(d)];
+        error[static_cast<std::size_t>(d)] = values[form.errorOf(k, d)] + spreadFrom(values[form.spreadOf(k, d)]) *
+                                                                              draw.error[static_cast<std::size_t>(d)];
     return error;
 }
 

@@ -32,7 +32,7 @@ struct ReadingDraw {
 /// distributions, each as probable as the others, with rare gross errors.
 struct ReadingDistribution {
     struct Component {
-        double share = 1;  ///< of its member
+        double share = 1;               ///< of its member
         ReadingError mean{}, spread{};  ///< spread: standard deviation
     };
 

@@ -22,6 +22,11 @@ BodySight sightOf(const SensorNetwork& network) {
     return sight;
 }
 
+/// Landmarks first, then robots.
+std::uint32_t numberOf(const SimulatedView::Subject& subject, std::uint32_t landmarks) {
+    return subject.kind == SubjectKind::robot ? landmarks + subject.index : subject.index;
+}
+
 }  // namespace
 
 LearnedCamera::Memory::Slot* LearnedCamera::Memory::find(std::uint32_t subject) {
@@ -55,6 +60,7 @@ LearnedCamera::LearnedCamera(std::shared_ptr<const LearnedSensor> learned, const
     if (traits_.period == 0) traits_.period = network.period;
     sight_.latency = latency_;
     for (std::size_t i = 0; i < channels; ++i) {
+        anySubject_ = anySubject_ || weights_.subject[i] > 0;
         slow_[i] = Lasting::after(toSeconds(traits_.period), network.noise[i].slowTime);
         subject_[i] = Lasting::after(toSeconds(traits_.period), network.noise[i].subjectTime);
     }
@@ -75,7 +81,7 @@ bool LearnedCamera::sound(std::span<const std::byte> memory) const {
     const auto instant = [](Nanoseconds time) { return time >= -latestTime && time <= latestTime; };
     return instant(own.looked) && std::ranges::all_of(own.slow, normal) &&
            std::ranges::all_of(own.slots, [&](const Memory::Slot& slot) {
-               return instant(slot.looked) && instant(slot.reported) && std::ranges::all_of(slot.parts, normal);
+               return instant(slot.looked) && std::ranges::all_of(slot.parts, normal);
            });
 }
 
@@ -114,45 +120,34 @@ LearnedCamera::Channels LearnedCamera::commonNumbers(const SensorView& view, Mem
     return common;
 }
 
-/// One channel's number of a subject's reading; `before`: the last instant that had one.
-double LearnedCamera::numberOf(std::size_t channel, const UniformDraws& draws, double common, Memory::Slot& slot,
-                               bool begun, Nanoseconds before, Nanoseconds now) const {
-    const double number = common + weights_.alone[channel] * drawnNormal(draws[1 + channel]);
-    if (weights_.subject[channel] == 0) return number;
-    const double time = learned_->network().noise[channel].subjectTime;
-    const Lasting lasting = begun ? between(before, now, time, subject_[channel]) : Lasting{};
-    float& part = slot.parts[channel];
-    part = static_cast<float>(lasting.next(static_cast<double>(part), drawnNormal(draws[1 + channels + channel])));
-    return number + weights_.subject[channel] * static_cast<double>(part);
-}
-
 /// Each subject has draws of its own, and a slot as long as no more are in view than there are slots, so that no other
 /// one changes what is reported of it.
-double LearnedCamera::reportedNumber(const SensorView& view, std::uint32_t subject, const Channels& common,
-                                     Memory& memory) const {
-    Memory::Slot none;
-    Memory::Slot* const own = memory.find(subject);
-    Memory::Slot* const taken = own != nullptr ? own : memory.take(subject, view.measured);
-    Memory::Slot& slot = taken != nullptr ? *taken : none;
-    const UniformDraws draws(view.key(1 + subject));
-    const double number = numberOf(0, draws, common[0], slot, own != nullptr, slot.looked, view.measured);
-    slot.looked = view.measured;
-    return number;
+LearnedCamera::Numbers LearnedCamera::numbersOf(const UniformDraws& draws, std::uint32_t subject, Nanoseconds now,
+                                                const Channels& common, Memory& memory) const {
+    Channels numbers = common;
+    if (anySubject_) {
+        Memory::Slot none;
+        Memory::Slot* const own = memory.find(subject);
+        Memory::Slot* const taken = own != nullptr ? own : memory.take(subject, now);
+        Memory::Slot& slot = taken != nullptr ? *taken : none;
+        for (std::size_t i = 0; i < channels; ++i) {
+            if (weights_.subject[i] == 0) continue;
+            const double time = learned_->network().noise[i].subjectTime;
+            const Lasting lasting = own != nullptr ? between(slot.looked, now, time, subject_[i]) : Lasting{};
+            const double part = lasting.next(static_cast<double>(slot.parts[i]), drawnNormal(draws[1 + channels + i]));
+            slot.parts[i] = static_cast<float>(part);
+            numbers[i] += weights_.subject[i] * static_cast<double>(slot.parts[i]);
+        }
+        slot.looked = now;
+    }
+    return {numbers[0] + weights_.alone[0] * drawnNormal(draws[1]), {numbers[1], numbers[2]}};
 }
 
-/// After reportedNumber().
-ReadingDraw LearnedCamera::errorDraw(const SensorView& view, std::uint32_t subject, const Channels& common,
-                                     Memory& memory) const {
-    Memory::Slot none;
-    Memory::Slot* const own = memory.find(subject);
-    Memory::Slot& slot = own != nullptr ? *own : none;
-    const UniformDraws draws(view.key(1 + subject));
+ReadingDraw LearnedCamera::errorDraw(const UniformDraws& draws, const ReadingError& common) const {
     ReadingDraw draw;
     draw.which = draws[0];
     for (std::size_t i = 1; i < channels; ++i)
-        draw.error[i - 1] = numberOf(i, draws, common[i], slot, slot.wasReported != 0, slot.reported, view.measured);
-    slot.wasReported = 1;
-    slot.reported = view.measured;
+        draw.error[i - 1] = common[i - 1] + weights_.alone[i] * drawnNormal(draws[1 + i]);
     return draw;
 }
 
@@ -165,32 +160,44 @@ Velocity LearnedCamera::ownVelocity(const SensorView& view, const Placement& own
 }
 
 void LearnedCamera::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
-    bool wanted = false;
-    for (std::size_t i = 0; i < gives_.size(); ++i) wanted = wanted || view.wants(i);
-    if (!wanted) return;
     auto& own = as<Memory>(memory);
     const Channels common = commonNumbers(view, own);
+    bool wanted = false;
+    for (std::size_t i = 0; i < gives_.size(); ++i) wanted = wanted || view.wants(i);
+    // What is remembered does not depend on what is read.
+    if (!wanted && !anySubject_) return;
+
     SensingBuffers& b = view.buffers;
     b.simulated.look(view, learned_->network().view);
+    const std::span<const SimulatedView::Subject> subjects = b.simulated.subjects();
+    const auto landmarks = static_cast<std::uint32_t>(view.obstacles.landmarks().size());
+    const auto drawsOf = [&](const SimulatedView::Subject& subject) {
+        return UniformDraws(view.key(1 + numberOf(subject, landmarks)));
+    };
+    b.numbers.clear();
+    b.common.clear();
+    for (const SimulatedView::Subject& subject : subjects) {
+        const Numbers numbers = reports(subject.kind) ? numbersOf(drawsOf(subject), numberOf(subject, landmarks),
+                                                                  view.measured, common, own)
+                                                      : Numbers{};
+        b.numbers.push_back(numbers.reported);
+        b.common.push_back(numbers.errors);
+    }
+    if (!wanted) return;
+
     b.states.clear();
     b.which.clear();
     b.simulated.describe(
         view, ownVelocity(view, b.simulated.eye()),
         [&](const SimulatedView::Subject& subject) { return reports(subject.kind); }, b.states, b.which);
-    const std::span<const SimulatedView::Subject> subjects = b.simulated.subjects();
-    const auto landmarks = static_cast<std::uint32_t>(view.obstacles.landmarks().size());
-    const auto numberOf = [&](std::uint32_t state) {
-        const SimulatedView::Subject& subject = subjects[b.which[state]];
-        return subject.kind == SubjectKind::robot ? landmarks + subject.index : subject.index;
-    };
-    b.numbers.clear();
-    for (std::uint32_t i = 0; i < b.states.size(); ++i)
-        b.numbers.push_back(reportedNumber(view, numberOf(i), common, own));
+    // In their order: none is moved onto one that is needed yet.
+    for (std::size_t i = 0; i < b.which.size(); ++i) b.numbers[i] = b.numbers[b.which[i]];
     const int robot = robotOf(view);
     b.reported.clear();
-    learned_->reported(b.states, robot, b.numbers, b.reported);
+    learned_->reported(b.states, robot, std::span(b.numbers).first(b.states.size()), b.reported);
     b.draws.clear();
-    for (const std::uint32_t i : b.reported) b.draws.push_back(errorDraw(view, numberOf(i), common, own));
+    for (const std::uint32_t i : b.reported)
+        b.draws.push_back(errorDraw(drawsOf(subjects[b.which[i]]), b.common[b.which[i]]));
     b.errors.resize(b.reported.size());
     learned_->errors(b.states, b.reported, robot, b.draws, b.errors);
     std::size_t reading = 0;

@@ -37,11 +37,9 @@ public:
     struct Memory {
         /// Of one subject.
         struct Slot {
-            std::uint32_t owner = 0;        ///< subjects from 1, landmarks first, then robots; 0: nobody
-            std::uint32_t wasReported = 0;  ///< 0 until there was a reading of it
+            std::uint32_t owner = 0;  ///< subjects from 1, landmarks first, then robots; 0: nobody
             std::array<float, channels> parts{};
-            Nanoseconds looked = 0;    ///< the last instant at which it was in view
-            Nanoseconds reported = 0;  ///< and at which there was a reading: the errors' parts are of then
+            Nanoseconds looked = 0;  ///< the last instant at which it was in view
         };
         Nanoseconds looked = 0;   ///< the last instant of measurement
         std::uint32_t begun = 0;  ///< 0 until the first
@@ -69,12 +67,17 @@ public:
 
 private:
     using Channels = std::array<double, channels>;
+    /// A subject's number for whether it is reported, and what is common to its errors' numbers and those of other
+    /// looks.
+    struct Numbers {
+        double reported = 0;
+        ReadingError errors{};
+    };
     Lasting between(Nanoseconds before, Nanoseconds now, double time, const Lasting& afterPeriod) const;
     Channels commonNumbers(const SensorView& view, Memory& memory) const;
-    double numberOf(std::size_t channel, const UniformDraws& draws, double common, Memory::Slot& slot, bool begun,
-                    Nanoseconds before, Nanoseconds now) const;
-    double reportedNumber(const SensorView& view, std::uint32_t subject, const Channels& common, Memory& memory) const;
-    ReadingDraw errorDraw(const SensorView& view, std::uint32_t subject, const Channels& common, Memory& memory) const;
+    Numbers numbersOf(const UniformDraws& draws, std::uint32_t subject, Nanoseconds now, const Channels& common,
+                      Memory& memory) const;
+    ReadingDraw errorDraw(const UniformDraws& draws, const ReadingError& common) const;
     int robotOf(const SensorView& view) const;
     Velocity ownVelocity(const SensorView& view, const Placement& own) const;
     bool reports(SubjectKind kind) const;
@@ -85,6 +88,7 @@ private:
     Nanoseconds latency_, reach_;
     BodySight sight_;
     NoiseWeights weights_;
+    bool anySubject_ = false;                       ///< any part of the noise is a subject's
     std::array<Lasting, channels> slow_, subject_;  ///< after one period
     std::vector<ReadingKind> gives_;
 };

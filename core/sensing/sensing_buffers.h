@@ -39,7 +39,7 @@ public:
     std::vector<std::uint32_t> which, reported;
     std::vector<double> numbers;
     std::vector<ReadingDraw> draws;
-    std::vector<ReadingError> errors;
+    std::vector<ReadingError> common, errors;
     std::vector<ReceivedMessage> received;
 
 private:

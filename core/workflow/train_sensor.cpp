@@ -36,6 +36,8 @@ void lookAround(SensorNetwork& blueprint, SensorSampleOptions& sampling, const s
     }
     blueprint.view = {nearlyAll(std::move(ranges), 0.999), 2 * nearlyAll(std::move(bearings), 0.995)};
     sampling.view = blueprint.view;
+    sampling.landmarks = blueprint.landmarks;
+    sampling.robotSubjects = blueprint.robotSubjects;
 }
 
 std::vector<std::string> sensorNames(const Log& log) {
@@ -56,17 +58,21 @@ Expected<void> checkHolds(const Log& log, const std::string& sensor) {
     return fail(log.source, "has no sensor \"" + sensor + "\"; it has " + all);
 }
 
+bool holdsRobot(const Log& log, const std::string& robot) {
+    return std::ranges::find(log.robots, robot, &RobotLog::robot) != log.robots.end();
+}
+
 Expected<std::vector<Log>> openAll(const TrainSensorRequest& request) {
     std::vector<Log> logs;
     for (const std::string& source : request.logs) {
         auto log = openLog(source, {});
         if (!log) return tl::unexpected(log.error());
         if (auto holds = checkHolds(*log, request.sensor); !holds) return tl::unexpected(holds.error());
-        for (const std::string& robot : request.robots)
-            if (std::ranges::find(log->robots, robot, &RobotLog::robot) == log->robots.end())
-                return fail(log->source, "has no robot \"" + robot + '"');
         logs.push_back(std::move(*log));
     }
+    for (const std::string& robot : request.robots)
+        if (std::ranges::none_of(logs, [&](const Log& log) { return holdsRobot(log, robot); }))
+            return fail(logs.front().source, "has no robot \"" + robot + '"');
     return logs;
 }
 
@@ -131,8 +137,13 @@ Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Pro
                                  .robots = request.robots,
                                  .latency = blueprint.latency};
     if (found.clocked) sampling.period = found.period;
+    sampling.falseTruth = found.falseTruth;
     lookAround(blueprint, sampling, *logs);
-    auto network = trainSensor(blueprint, sensorSamples(*logs, sampling), request.training, progress);
+    const SensorSamples samples = sensorSamples(*logs, sampling);
+    if (samples.falseTruth > 0)
+        notices.push_back("Left out: " + counted(static_cast<std::size_t>(samples.falseTruth), "look") +
+                          " at which the ground truth was off, see mrose inspect.");
+    auto network = trainSensor(blueprint, samples, request.training, progress);
     if (!network) return atFile(network.error(), logs->front().source);
     TrainedSensor trained{std::move(*network), std::move(notices)};
     if (request.output.empty()) return trained;

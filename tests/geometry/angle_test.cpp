@@ -9,7 +9,7 @@
 namespace mrose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double above(double x) { return std::nextafter(x, 1e9); }
 double below(double x) { return std::nextafter(x, -1e9); }

@@ -14,10 +14,9 @@ TEST(ConstantNoiseFit, FindsTheNoiseOfAnIdealSensor) {
     sensor.latency = 40'000'000;
     sensor.constant = {0.7, 0.02, {0.05, 0.01}};
     const Log log = seenLog(IdealSensorModel(sensor, IdealSensorModel::Noise::constant), 600);
-    sensor.gross.reach = {1, 0.2};
     const SensorSamples samples =
         sensorSamples({&log, 1}, {.sensor = "camera", .latency = sensor.latency, .view = sensor.view});
-    const ConstantNoise found = fitConstantNoise(sensor, samples);
+    const ConstantNoise found = fitConstantNoise(sensor, samples, soundErrors(samples, 2));
     EXPECT_NEAR(found.seen, 0.7, 0.03);
     EXPECT_NEAR(found.unseen, 0.02, 0.01);
     EXPECT_NEAR(found.spread[0], 0.05, 0.003);

@@ -85,7 +85,8 @@ SensorNetwork blueprintOf(const SensorSummary& found) {
 }
 
 SensorTrainerOptions quick(int components) {
-    SensorTrainerOptions options{.components = components, .folds = 2};
+    SensorTrainerOptions options{.components = components};
+    options.reported.folds = options.error.folds = 2;
     options.reported.epochs = options.error.epochs = 200;
     return options;
 }

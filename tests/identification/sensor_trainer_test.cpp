@@ -47,8 +47,7 @@ SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const double time = ofSubject ? noises[c].subjectTime : noises[c].slowTime;
                 const double draw = plantedNormal(look, part, c);
-                numbers[c] =
-                    (look % looks == 0 ? Lasting{} : Lasting::after(lookPeriod, time)).next(numbers[c], draw);
+                numbers[c] = (look % looks == 0 ? Lasting{} : Lasting::after(lookPeriod, time)).next(numbers[c], draw);
             }
         };
         for (int l = 0; l < looks; ++l) {
@@ -94,9 +93,8 @@ SensorTrainerOptions quickly(RegressorFamily family) {
     SensorTrainerOptions options;
     options.family = family;
     options.components = 1;
-    options.folds = 2;
-    options.reported = {.hidden = 6, .epochs = 150, .weightDecay = 1e-4};
-    options.error = {.hidden = 6, .epochs = 300, .weightDecay = 1e-4};
+    options.reported = {.hidden = 6, .epochs = 150, .weightDecay = 1e-4, .folds = 2};
+    options.error = {.hidden = 6, .epochs = 300, .weightDecay = 1e-4, .folds = 2};
     return options;
 }
 
@@ -240,6 +238,57 @@ TEST(SensorTraining, CountsGrossErrors) {
     ASSERT_TRUE(trained) << trained.error().message();
     EXPECT_NEAR(trained->gross.share * static_cast<double>(readings), static_cast<double>(wrong), 1);
     EXPECT_GT(trained->gross.reach[0], 4.5);
+}
+
+SensorTrainerOptions atOnce(RegressorFamily family) {
+    SensorTrainerOptions options = quickly(family);
+    options.reported.epochs = options.error.epochs = 60;
+    options.trees = 3;
+    return options;
+}
+
+TEST(SensorTraining, ABiasIsNoGrossError) {
+    SensorSamples samples = plantedSamples(2000, {});
+    for (SensorCase& one : samples.cases) one.error[0] += 5;
+    for (const RegressorFamily family : {RegressorFamily::network, RegressorFamily::table, RegressorFamily::trees}) {
+        const auto trained = trainSensor(cameraBlueprint(), samples, atOnce(family));
+        ASSERT_TRUE(trained) << trained.error().message();
+        EXPECT_LT(trained->gross.share, 1e-3) << nameOf(family);
+        ReadingDistribution found;
+        LearnedSensor(*trained).distributions({&samples.cases[0].state, 1}, 0, {&found, 1});
+        EXPECT_NEAR(found.mean(0), 5, 0.5) << nameOf(family);
+    }
+}
+
+TEST(SensorTraining, ASensorWithoutAnyErrorGivesAFileThatCanBeRead) {
+    SensorSamples samples = plantedSamples(600, {});
+    for (SensorCase& one : samples.cases) one.error = {}, one.reported = true;
+    for (const RegressorFamily family : {RegressorFamily::network, RegressorFamily::table, RegressorFamily::trees}) {
+        const auto trained = trainSensor(cameraBlueprint(), samples, atOnce(family));
+        ASSERT_TRUE(trained) << trained.error().message();
+        const auto read = parseSensor(sensorText(*trained), "exact.net");
+        ASSERT_TRUE(read) << read.error().message();
+        EXPECT_EQ(*read, *trained);
+    }
+}
+
+TEST(SensorTraining, BlocksMayHaveNegativeNumbers) {
+    const SensorSamples samples = plantedSamples(600, {});
+    SensorSamples negative = samples;
+    for (SampledLook& look : negative.looks) look.block -= 10;
+    const auto options = atOnce(RegressorFamily::network);
+    const auto a = trainSensor(cameraBlueprint(), samples, options);
+    const auto b = trainSensor(cameraBlueprint(), negative, options);
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(sensorText(*a), sensorText(*b)) << "ten is a multiple of the folds";
+}
+
+TEST(SensorTraining, RefusesMoreRobotsThanCanBeToldApart) {
+    SensorSamples samples = plantedSamples(600, {});
+    for (int i = 0; i < 300; ++i) samples.robots.push_back("other" + std::to_string(i));
+    const auto trained = trainSensor(cameraBlueprint(), samples, atOnce(RegressorFamily::network));
+    ASSERT_FALSE(trained);
+    EXPECT_THAT(trained.error().message(), HasSubstr("holds 302 robots; at most 241 can be told apart"));
 }
 
 TEST(SensorTraining, SaysWhatIsTooLittle) {

@@ -18,7 +18,8 @@ TEST(SyntheticCameras, DetectionsAndErrorsAreCalibrated) {
     blueprint.latency = fromSeconds(found.lateness.lateness);
     blueprint.view = {7.5, 1.2};
     const SensorSampleOptions sampling{.sensor = "camera", .latency = blueprint.latency, .view = blueprint.view};
-    SensorTrainerOptions options{.components = 3, .folds = 2};
+    SensorTrainerOptions options{.components = 3};
+    options.reported.folds = options.error.folds = 2;
     options.reported.epochs = options.error.epochs = 200;
     const SensorSamples samples = sensorSamples(logs, sampling);
     const auto trained = trainSensor(blueprint, samples, options);

@@ -193,6 +193,28 @@ TEST(Regressors, SideBySideGiveTheOutputsOfBoth) {
     }
 }
 
+TEST(Regressors, ReadTheSameAmongMoreInputs) {
+    const std::vector<float> rows = someRows(20);
+    for (const Regressor& regressor : families()) {
+        const std::vector<int> own{1, 2, 4};
+        const Regressor wide = amongInputs(regressor, 6, own);
+        EXPECT_EQ(inputsOf(wide), 6);
+        std::vector<int> read;
+        for (const int input : inputsReadBy(regressor)) read.push_back(own[static_cast<std::size_t>(input)]);
+        EXPECT_EQ(inputsReadBy(wide), read) << nameOf(familyOf(regressor));
+        EXPECT_EQ(withInputs(wide, own), regressor) << nameOf(familyOf(regressor));
+        const RegressorInference narrow(regressor), among(wide);
+        for (std::size_t i = 0; i < 20; ++i) {
+            const float* const x = &rows[3 * i];
+            const std::array<float, 6> spread{9, x[0], x[1], -9, x[2], 7};
+            std::array<float, 3> expected, found;
+            narrow.one(x, expected.data());
+            among.one(spread.data(), found.data());
+            EXPECT_EQ(found, expected) << nameOf(familyOf(regressor));
+        }
+    }
+}
+
 TEST(Regressors, WithoutOutputsThatNobodyAsksForNeedNoUnitsForThem) {
     const Mlp both = std::get<Mlp>(sideBySide(test::normalNetwork({3, 5, 1}, 1), test::normalNetwork({3, 7, 2}, 2)));
     EXPECT_EQ(std::get<Mlp>(withOutputs(both, 0, 1)).parameters, test::normalNetwork({3, 5, 1}, 1).parameters);

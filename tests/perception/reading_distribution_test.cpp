@@ -116,7 +116,8 @@ TEST(ReadingDistributions, DrawsAreOfTheirDensities) {
 TEST(ReadingDistributions, GrossErrorsAreWithinReachAndAsManyAsSaid) {
     std::vector<double> values = someValues();
     for (int k = 0; k < 2; ++k)
-        for (int i = 0; i < 2; ++i) values[static_cast<std::size_t>(ReadingForm::errors + form.spreadOf(k, i))] = std::log(1e-3);
+        for (int i = 0; i < 2; ++i)
+            values[static_cast<std::size_t>(ReadingForm::errors + form.spreadOf(k, i))] = std::log(1e-3);
     const ReadingDistribution d = ReadingDistribution::of(form, values, gross);
     int wrong = 0;
     for (int i = 0; i < 20000; ++i) {

@@ -32,7 +32,7 @@ protected:
     TrainSensorRequest request(const std::string& log, const std::string& sensor) const {
         TrainSensorRequest request{.logs = {log}, .sensor = sensor, .output = path("learned.net")};
         request.training.components = 1;
-        request.training.folds = 2;
+        request.training.reported.folds = request.training.error.folds = 2;
         request.training.reported.epochs = request.training.error.epochs = 20;
         return request;
     }
@@ -89,6 +89,29 @@ TEST_F(TrainSensor, SaysWhereStampsAreEarly) {
     EXPECT_EQ(trained->network.latency, 0);
     ASSERT_EQ(trained->notices.size(), 1u);
     EXPECT_NE(trained->notices[0].find("is taken as 0 ms"), std::string::npos) << trained->notices[0];
+}
+
+TEST_F(TrainSensor, ChosenRobotsMayBeOfDifferentLogs) {
+    Log one = plantedSensorLog({}), other = plantedSensorLog({.seed = 2});
+    for (RobotLog& robot : other.robots) robot.robot += "_again";
+    TrainSensorRequest both = request(write("one.csv", one), "slam");
+    both.logs.push_back(write("other.csv", other));
+    both.robots = {one.robots[0].robot, other.robots[0].robot};
+    const auto trained = trainSensor(both);
+    ASSERT_TRUE(trained) << trained.error().message();
+    EXPECT_EQ(trained->network.robots, both.robots);
+}
+
+TEST_F(TrainSensor, LeavesOutWhatAFalseTruthWouldSay) {
+    PlantedSensors plant;
+    plant.headingOffset = [](double seconds) { return seconds > 100 && seconds < 130 ? 0.08 : 0.0; };
+    const auto trained = trainSensor(request(write("log.csv", plantedSensorLog(plant)), "camera"));
+    ASSERT_TRUE(trained) << trained.error().message();
+    ASSERT_EQ(trained->notices.size(), 1u);
+    EXPECT_NE(trained->notices[0].find("at which the ground truth was off"), std::string::npos);
+    // 30 s at 0.2 s a look
+    EXPECT_NEAR(std::stod(trained->notices[0].substr(std::string("Left out: ").size())), 150, 5);
+    EXPECT_LT(trained->network.constant.spread[1], 2 * plant.bearingNoise);
 }
 
 TEST_F(TrainSensor, RefusesWithOneLine) {
