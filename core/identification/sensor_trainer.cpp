@@ -304,6 +304,7 @@ std::string whyNot(const SensorNetwork& network) {
 Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const SensorSamples& samples,
                                     const SensorTrainerOptions& asked, const Progress& progress) {
     SensorTrainerOptions options = asked;
+    if (asked.family != RegressorFamily::network) options.error.folds = asked.reported.folds;
     for (SensorHalfOptions* half : {&options.reported, &options.error}) half->folds = foldsOf(samples, half->folds);
     const bool isNetwork = options.family == RegressorFamily::network;
     assert(!isNetwork || options.error.folds <= ReadingForm::maxMembers);

@@ -25,8 +25,8 @@ struct SensorTrainerOptions {
     RegressorFamily family = RegressorFamily::network;
     int components = 4;  ///< of a member's mixture; tables and trees have 1
     SensorHalfOptions reported{.hidden = 16, .epochs = 400, .weightDecay = 1e-3, .folds = 3};
-    SensorHalfOptions error{
-        .hidden = 14, .epochs = 1300, .weightDecay = 2e-3, .folds = 6};  ///< of networks at most maxMembers folds
+    /// Folds: of networks, at most ReadingForm::maxMembers; others have those of `reported`.
+    SensorHalfOptions error{.hidden = 14, .epochs = 1300, .weightDecay = 2e-3, .folds = 6};
     int patience = 300;       ///< epochs without a better held-out likelihood after which a fold ends
     double roughness = 1e-5;  ///< of tables
     int trees = 40;           ///< for each output

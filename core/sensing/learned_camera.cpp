@@ -27,6 +27,10 @@ std::uint32_t numberOf(const SimulatedView::Subject& subject, std::uint32_t land
     return subject.kind == SubjectKind::robot ? landmarks + subject.index : subject.index;
 }
 
+Lasting between(Nanoseconds before, Nanoseconds now, double time) {
+    return now < before ? Lasting{} : Lasting::after(toSeconds(now - before), time);
+}
+
 }  // namespace
 
 LearnedCamera::Memory::Slot* LearnedCamera::Memory::find(std::uint32_t subject) {
@@ -95,24 +99,20 @@ std::vector<MemoryEntry> LearnedCamera::explain(std::span<const std::byte> memor
     return entries;
 }
 
-Lasting LearnedCamera::between(Nanoseconds before, Nanoseconds now, double time, const Lasting& afterPeriod) const {
-    const Nanoseconds since = now - before;
-    if (since == traits_.period) return afterPeriod;
-    return since < 0 ? Lasting{} : Lasting::after(toSeconds(since), time);
-}
-
 /// What all readings of a look have in common, by the first draws of the look.
 LearnedCamera::Channels LearnedCamera::commonNumbers(const SensorView& view, Memory& memory) const {
     Channels common{};
     const UniformDraws draws(view.key(0));
+    const auto normals = drawnNormals(std::array{draws[0], draws[1], draws[2], draws[3], draws[4], draws[5]});
     const ReadingNoises& noise = learned_->network().noise;
+    const bool usual = memory.begun != 0 && view.measured - memory.looked == traits_.period;
     for (std::size_t i = 0; i < channels; ++i) {
-        if (noise[i].look > 0) common[i] = weights_.look[i] * drawnNormal(draws[i]);
+        common[i] = weights_.look[i] * normals[i];
         if (noise[i].slow == 0) continue;
-        const Lasting lasting =
-            memory.begun == 0 ? Lasting{} : between(memory.looked, view.measured, noise[i].slowTime, slow_[i]);
-        memory.slow[i] =
-            static_cast<float>(lasting.next(static_cast<double>(memory.slow[i]), drawnNormal(draws[channels + i])));
+        const Lasting lasting = usual               ? slow_[i]
+                                : memory.begun != 0 ? between(memory.looked, view.measured, noise[i].slowTime)
+                                                    : Lasting{};
+        memory.slow[i] = static_cast<float>(lasting.next(static_cast<double>(memory.slow[i]), normals[channels + i]));
         common[i] += weights_.slow[i] * static_cast<double>(memory.slow[i]);
     }
     memory.looked = view.measured;
@@ -124,23 +124,25 @@ LearnedCamera::Channels LearnedCamera::commonNumbers(const SensorView& view, Mem
 /// one changes what is reported of it.
 LearnedCamera::Numbers LearnedCamera::numbersOf(const UniformDraws& draws, std::uint32_t subject, Nanoseconds now,
                                                 const Channels& common, Memory& memory) const {
+    const auto normals = drawnNormals(std::array{draws[1], draws[4], draws[5], draws[6]});
     Channels numbers = common;
     if (anySubject_) {
         Memory::Slot none;
         Memory::Slot* const own = memory.find(subject);
         Memory::Slot* const taken = own != nullptr ? own : memory.take(subject, now);
         Memory::Slot& slot = taken != nullptr ? *taken : none;
+        const bool usual = own != nullptr && now - slot.looked == traits_.period;
         for (std::size_t i = 0; i < channels; ++i) {
             if (weights_.subject[i] == 0) continue;
             const double time = learned_->network().noise[i].subjectTime;
-            const Lasting lasting = own != nullptr ? between(slot.looked, now, time, subject_[i]) : Lasting{};
-            const double part = lasting.next(static_cast<double>(slot.parts[i]), drawnNormal(draws[1 + channels + i]));
+            const Lasting lasting = usual ? subject_[i] : own != nullptr ? between(slot.looked, now, time) : Lasting{};
+            const double part = lasting.next(static_cast<double>(slot.parts[i]), normals[1 + i]);
             slot.parts[i] = static_cast<float>(part);
             numbers[i] += weights_.subject[i] * static_cast<double>(slot.parts[i]);
         }
         slot.looked = now;
     }
-    return {numbers[0] + weights_.alone[0] * drawnNormal(draws[1]), {numbers[1], numbers[2]}};
+    return {numbers[0] + weights_.alone[0] * normals[0], {numbers[1], numbers[2]}};
 }
 
 ReadingDraw LearnedCamera::errorDraw(const UniformDraws& draws, const ReadingError& common) const {

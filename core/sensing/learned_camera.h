@@ -73,7 +73,6 @@ private:
         double reported = 0;
         ReadingError errors{};
     };
-    Lasting between(Nanoseconds before, Nanoseconds now, double time, const Lasting& afterPeriod) const;
     Channels commonNumbers(const SensorView& view, Memory& memory) const;
     Numbers numbersOf(const UniformDraws& draws, std::uint32_t subject, Nanoseconds now, const Channels& common,
                       Memory& memory) const;

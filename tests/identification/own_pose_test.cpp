@@ -216,7 +216,8 @@ TEST(PooledLateness, WeighsByStandardErrors) {
     const SensorLateness pooled = pooledLateness(each);
     EXPECT_TRUE(pooled.identified);
     EXPECT_NEAR(pooled.lateness, 0.112, 1e-12);
-    EXPECT_NEAR(pooled.error, 1 / std::sqrt(12'500), 1e-12);
+    // they disagree by more than their errors: (0.06 s)^2 / (0.01^2 + 0.02^2) is 7.2
+    EXPECT_NEAR(pooled.error, std::sqrt(7.2 / 12'500), 1e-12);
     EXPECT_EQ(pooledLateness(std::span(each).last(1)).reason, "none");
     EXPECT_FALSE(pooledLateness({}).identified);
 }

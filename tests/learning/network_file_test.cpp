@@ -108,7 +108,7 @@ TEST(AnyNetworkFile, NamesFileLineAndKeyOfWhatDoesNotFit) {
     EXPECT_THAT(errorAfter("name = \"wind \\\"w\\\"\"", "name = \"distance\""),
                 HasSubstr("inputs[\"distance\"].name: \"distance\" is the name of two"));
     EXPECT_THAT(errorAfter("  { name = \"smell\", unit = \"1\", mean = 0.25, scale = 0.001 },\n", ""),
-                HasSubstr("outputs: has 0 elements; expected 1 to 64"));
+                HasSubstr("outputs: has 0 elements; expected 1 to 256"));
     EXPECT_THAT(errorAfter("nostrils = 2", "nostrils = 9"), MatchesRegex("n.net:[0-9]+:[0-9]+: nose.nostrils: .*"));
     EXPECT_THAT(errorAfter("nostrils = 2", "nostrils = 2\nhairs = 9"),
                 HasSubstr("nose.hairs: is not a known key; expected one of"));

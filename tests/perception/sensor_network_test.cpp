@@ -34,16 +34,13 @@ TEST(SensorFiles, AreReadBackToTheBit) {
 }
 
 TEST(SensorFiles, OfOwnPosesAreReadBackToo) {
-    SensorNetwork network = test::someCamera();
-    network.measures = SensorNetwork::Measures::pose;
-    network.view = {};
-    network.robotSubjects = false;
-    network.form = {3, 1};
-    network.gross.reach[2] = 3;
-    network.learned.outputs = sensorOutputs(network.measures, network.form);
-    Mlp mlp{{static_cast<int>(network.learned.inputs.size()), 1, network.form.outputs()}, {}};
-    mlp.parameters.resize(mlp.shape.parameterCount());
-    network.learned.regressor = mlp;
+    SensorNetwork network = test::constantLocalisation({0.3, 0.01, -0.02, 0.03, -3, -4, -5});
+    const SensorNetwork camera = test::someCamera();
+    network.gross = {camera.gross.share, {2.5, 0.15, 3}};
+    network.noise = camera.noise;
+    network.noise[3] = {0.2, 0.3, 4, 0, 1};
+    network.constant = camera.constant;
+    network.heldOut = camera.heldOut;
     const auto again = parseSensor(sensorText(network), "c.net");
     ASSERT_TRUE(again) << again.error().message();
     EXPECT_TRUE(*again == network);

@@ -1,5 +1,7 @@
 #include "perception/some_sensor.h"
 
+#include <algorithm>
+
 #include "learning/reference_network.h"
 #include "perception/sensor_inputs.h"
 
@@ -45,13 +47,44 @@ SensorNetwork someCamera(std::uint64_t seed, int members) {
     return network;
 }
 
+void makeConstant(SensorNetwork& network, const std::vector<double>& outputs) {
+    network.learned.kind = SensorNetwork::kind;
+    network.learned.outputs = sensorOutputs(network.measures, network.form);
+    for (std::size_t i = 0; i < outputs.size(); ++i) network.learned.outputs[i].mean = outputs[i];
+    Mlp mlp{{static_cast<int>(network.learned.inputs.size()), 1, network.form.outputs()}, {}};
+    mlp.parameters.resize(mlp.shape.parameterCount());
+    network.learned.regressor = std::move(mlp);
+}
+
+void reportAbove(SensorNetwork& network, std::size_t input, double bound) {
+    network.learned.inputs[input].mean = bound;
+    network.learned.outputs[0].mean = 0;  // nothing else decides
+    std::vector<float>& parameters = std::get<Mlp>(network.learned.regressor).parameters;
+    parameters[input] = 1000;
+    parameters[network.learned.inputs.size() + 1] = 8;  // of the hidden unit to the quantile
+}
+
 SensorNetwork constantCamera(const std::vector<double>& outputs, int components) {
     SensorNetwork network = camera(components);
     network.gross = {0, {1, 1}};
-    Mlp mlp{{static_cast<int>(network.learned.inputs.size()), 1, network.form.outputs()}, {}};
-    mlp.parameters.resize(mlp.shape.parameterCount());
-    for (std::size_t i = 0; i < outputs.size(); ++i) network.learned.outputs[i].mean = outputs[i];
-    network.learned.regressor = std::move(mlp);
+    makeConstant(network, outputs);
+    return network;
+}
+
+SensorNetwork constantLocalisation(const std::vector<double>& outputs) {
+    SensorNetwork network = camera(1);
+    network.sensor = "localisation";
+    network.measures = SensorNetwork::Measures::pose;
+    network.robotSubjects = false;
+    network.view = {};
+    network.form = {3, 1};
+    network.gross = {0, {1, 1, 1}};
+    network.learned.inputs.clear();
+    for (const char* name : {"x", "y", "heading_sine", "heading_cosine", "speed", "rotation"}) {
+        const auto quantity = std::ranges::find(sensorQuantities(), name, &SensorQuantity::name);
+        network.learned.inputs.push_back({name, std::string(quantity->unit), 0, 1});
+    }
+    makeConstant(network, outputs);
     return network;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "learning/instruction_set.h"
+#include "support/camera_folder.h"
 #include "support/game_folder.h"
 #include "support/game_text.h"
 #include "support/places.h"
@@ -99,6 +100,48 @@ TEST_F(EveryProcessor, CrowdIsTheSame) {
                     ", y_m = " + y + " }\ncontroller = { kind = 'chase_ball', target_m = " + target + " }\n";
         }
     expectSameRun(write("crowd.toml", text), "120");
+}
+
+/// Five robots that see landmarks and each other by learned cameras: what these remember, which hangs on what was
+/// reported, is in the hash.
+TEST_F(EveryProcessor, LearnedCamerasAreTheSame) {
+    std::string text =
+        "format = 'mrose scenario'\nversion = 1\nname = 'cameras'\nenvironment = 'mrclam_arena.toml'\nseed = 3\n";
+    for (int i = 1; i <= 5; ++i) {
+        const std::string number = std::to_string(i);
+        text += "[[robot]]\nname = '" + number + "'\ntype = 'create.toml'\nmotion_robot = '" + number +
+                "'\nstart = { x_m = " + std::to_string(0.8 * i) + ", y_m = " + std::to_string(i % 3) +
+                ", heading_deg = " + std::to_string(70 * i) + " }\ncontroller = { kind = 'wander' }\n";
+    }
+    const std::string scenario = write("cameras.toml", text);
+    expectSameRun(scenario, "60");
+    expectSame({"run", scenario, "--duration", "60", "--quiet", "--json"}, otherProcessors());
+    const std::vector<std::string> words{
+        "run",     scenario, "--duration", "60",
+        "--quiet", "--json", "--until",    "robot[1].camera.landmarks + robot[1].camera.robots >= 3"};
+    EXPECT_LT(told(runMrose(words))["time_s"].get<double>(), 60) << "they report nothing";
+    expectSame(words, otherProcessors());
+}
+
+/// With the errors of their readings.
+TEST_F(EveryProcessor, PredictedReadingsAreTheSame) {
+    const CameraFolder folder;
+    std::string queries = "dataset,robot,t,subject\n";
+    for (int i = 0; i < 200; ++i)
+        for (int subject = 6; subject < 18; ++subject)
+            queries += "1,1," + std::to_string(1'248'444'190 + i) + ".25," + std::to_string(subject) + '\n';
+    write("queries.csv", queries);
+    const auto predicted = [&](const std::string& variable) {
+        const ProgramResult result =
+            runMrose({"predict", (sourceFolder() / "nets/create_camera.net").string(), "--log", folder.path(),
+                      "--queries", path("queries.csv"), "-o", path("predicted.csv"), "--overwrite", "--quiet"},
+                     {.variable = variable});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return read("predicted.csv");
+    };
+    const std::string here = predicted("");
+    EXPECT_EQ(std::ranges::count(here, '\n'), 1 + 40 * 12 * 200);
+    for (const std::string& other : otherProcessors()) EXPECT_TRUE(here == predicted(other)) << other;
 }
 
 TEST_F(EveryProcessor, MrclamReplayIsTheSame) {

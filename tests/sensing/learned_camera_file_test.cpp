@@ -19,19 +19,6 @@ std::map<std::string, std::string> cameraWorld(const std::string& sensor, const 
     return texts;
 }
 
-/// Of a sensor that reports its robot's pose.
-SensorNetwork poseNetwork() {
-    SensorNetwork poses = cameraNetwork();
-    poses.measures = SensorNetwork::Measures::pose;
-    poses.form.dimensions = 3;
-    poses.gross.reach[2] = 1;
-    poses.learned.outputs = sensorOutputs(poses.measures, poses.form);
-    Mlp& mlp = std::get<Mlp>(poses.learned.regressor);
-    mlp.shape.outputs = poses.form.outputs();
-    mlp.parameters.assign(mlp.shape.parameterCount(), 0);
-    return poses;
-}
-
 TEST(LearnedCameraFile, IsAskedForInARobotFile) {
     const std::string named = "name = \"camera\"\nnetwork = \"c.net\"\n";
     const SensorNetwork network = cameraNetwork({0.8, 0.01, 0.1, 0.02, 0.05});
@@ -59,12 +46,12 @@ TEST(LearnedCameraFile, IsAskedForInARobotFile) {
 TEST(LearnedCameraFile, ALocalisationHasTheKeysOfACamera) {
     const std::string named = "name = \"place\"\nnetwork = \"p.net\"\n";
     auto texts = cameraWorld(named, "");
-    texts["p.net"] = sensorText(poseNetwork());
+    texts["p.net"] = sensorText(test::constantLocalisation({}));
     const auto loaded = loadFrom(texts);
     ASSERT_TRUE(loaded) << loaded.error().message();
     EXPECT_EQ(Scenario(loaded->parts).sensors(1)[3]->period(), 236'000'000);
     EXPECT_EQ(Scenario(loaded->parts).sensors(1)[3]->latency(), 40'000'000);
-    auto changed = cameraWorld(named + "period_s = 0.5\nlatency_s = 0.1\nrobot = \"a\"\n", "");
+    auto changed = cameraWorld(named + "period_s = 0.5\nlatency_s = 0.1\nrobot = \"1\"\n", "");
     changed["p.net"] = texts["p.net"];
     const auto other = loadFrom(changed);
     ASSERT_TRUE(other) << other.error().message();
@@ -91,7 +78,7 @@ TEST(LearnedCameraFile, MistakesAreNamed) {
     EXPECT_THAT(errorOf(named + "range_m = 3\n", text), HasSubstr("sensor[\"camera\"].range_m: is not a known key"));
     EXPECT_THAT(errorOf(named, networkText(arbitraryNetwork(MotionNetwork::Form::state))),
                 HasSubstr("c.net:4:8: kind: is a network of another kind, \"motion\"; expected one of \"sensor\""));
-    const SensorNetwork poses = poseNetwork();
+    const SensorNetwork poses = test::constantLocalisation({});
     EXPECT_THAT(errorOf(named + "latency_s = -0.1\n", sensorText(poses)), HasSubstr("sensor[\"camera\"].latency_s: "));
     EXPECT_THAT(errorOf(named + "range_m = 3\n", sensorText(poses)), HasSubstr("range_m: is not a known key"));
 }

@@ -2,16 +2,13 @@
 #include "sensing/learned_camera.h"
 
 #include <cmath>
-#include <functional>
-#include <optional>
-#include <tuple>
 
 #include <gmock/gmock.h>
 
 #include "geometry/normal_distribution.h"
 #include "quantities/value_key.h"
 #include "sensing/camera_network.h"
-#include "sensing/perceiving.h"
+#include "sensing/camera_world.h"
 #include "world/state_bytes.h"
 #include "world/state_hash.h"
 
@@ -19,62 +16,6 @@ namespace mrose {
 namespace {
 
 using testing::ElementsAre;
-
-constexpr Nanoseconds millisecond = 1'000'000;
-constexpr ReadingName landmarksName = "camera.landmarks", robotsName = "camera.robots";
-
-RobotType filming(const SensorPointer& camera, RobotType type = discRobot(0.17)) {
-    type.sensors = {camera};
-    return type;
-}
-
-Obstacle post(const std::string& landmark, const Point& place, double radius = 0.05) {
-    ShapePart part;
-    part.centre = place;
-    part.radius = radius;
-    return {"post", Shape::fromParts("post", {part}), {}, false, landmark};
-}
-
-Obstacle slab(const Point& least, const Point& most, bool wall) {
-    ShapePart part;
-    part.polygon = {least, {most.x, least.y}, most, {least.x, most.y}};
-    return {"slab", Shape::fromParts("slab", {part}), {}, wall};
-}
-
-/// A robot at the origin that looks along x, others, and what stands.
-SmallWorld filmed(const SensorPointer& camera, std::vector<Obstacle> obstacles, const std::vector<Pose>& others = {}) {
-    Environment environment;
-    environment.obstacles = std::move(obstacles);
-    SmallWorld world(std::move(environment));
-    world.robot(filming(camera), {}, still(), ideal());
-    for (const Pose& other : others) world.robot(discRobot(0.17), other, still(), ideal());
-    return world;
-}
-
-struct Look {
-    Nanoseconds measured = 0;
-    std::vector<SeenBody> landmarks, robots;
-};
-
-/// The looks that arrive at one observation.
-std::vector<Look> looksOf(const Observation& observation) {
-    std::vector<Look> looks;
-    for (const Reading& reading : observation.readings()) {
-        const auto seen = observation.records<SeenBody>(&reading);
-        if (reading.name == landmarksName) looks.push_back({reading.measured, {seen.begin(), seen.end()}, {}});
-        if (reading.name == robotsName) looks.back().robots.assign(seen.begin(), seen.end());
-    }
-    return looks;
-}
-
-/// All looks of a robot whose world stands still.
-std::vector<Look> looks(const Scenario& scenario, int count, std::uint64_t seed = 1) {
-    std::vector<Look> all;
-    Watch watch(scenario, seed);
-    while (static_cast<int>(all.size()) < count)
-        for (Look& look : looksOf(watch.next())) all.push_back(std::move(look));
-    return all;
-}
 
 std::vector<std::uint32_t> indices(const std::vector<SeenBody>& seen) {
     std::vector<std::uint32_t> all;
@@ -88,7 +29,7 @@ TEST(LearnedCamera, GivesLandmarksAndRobotsByTheirIndices) {
                {slab({0, 5}, {1, 6}, true), post("b", {2, 0.5}), post("", {1, -0.5}), post("a", {3, -1})},
                {{1, 0.9, 0}, {-1, 0, 0}, {2, -0.2, 0}})
             .scenario();
-    for (const Look& look : looks(scenario, 20)) {
+    for (const CameraLook& look : looks(scenario, 20)) {
         ASSERT_THAT(indices(look.landmarks), ElementsAre(0, 1));
         ASSERT_THAT(indices(look.robots), ElementsAre(1, 3));
         EXPECT_NEAR(distance(look.landmarks[0].position_B, {2, 0.5}), 0, 3e-4);
@@ -100,7 +41,7 @@ TEST(LearnedCamera, GivesLandmarksAndRobotsByTheirIndices) {
 
 TEST(LearnedCamera, ALookAtWhichItReportsNothingGivesEmptyReadings) {
     const auto all = looks(filmed(cameraOf(cameraNetwork({.threshold = -8})), {post("a", {2, 0})}).scenario(), 10);
-    for (const Look& look : all) EXPECT_TRUE(look.landmarks.empty() && look.robots.empty());
+    for (const CameraLook& look : all) EXPECT_TRUE(look.landmarks.empty() && look.robots.empty());
     SensorNetwork landmarksAlone = cameraNetwork();
     landmarksAlone.robotSubjects = false;
     const SensorPointer camera = cameraOf(landmarksAlone);
@@ -115,7 +56,7 @@ TEST(LearnedCamera, ReportsTheShareAndTheErrorsOfItsDistribution) {
     int reported = 0;
     StandardNormals ranges, bearings;
     double products = 0;
-    for (const Look& look : all)
+    for (const CameraLook& look : all)
         for (const SeenBody& seen : look.landmarks) {
             ++reported;
             const double r = (length(seen.position_B) - range - 0.03) / 0.1;
@@ -151,7 +92,7 @@ TEST(LearnedCamera, ReportsWhatWasTrueItsLatencyAgoToTheNanosecond) {
             const Nanoseconds now = scenario.scene().timeOf(state.tick);
             step(scenario, state, buffers, {}, &trace);
             if (!trace.robots[0].observed) continue;
-            for (const Look& look : looksOf(trace.robots[0].observation)) {
+            for (const CameraLook& look : looksOf(trace.robots[0].observation)) {
                 EXPECT_EQ(look.measured % (236 * millisecond), 0);
                 if (before >= 0) {
                     EXPECT_EQ(look.measured - before, 236 * millisecond) << "each look once";
@@ -198,7 +139,7 @@ TEST(LearnedCamera, KnowsItsRobotsVelocity) {
         for (int k = 0; k < 300; ++k) {
             step(scenario, state, buffers, {}, &trace);
             if (k < 50 || !trace.robots[0].observed) continue;
-            for (const Look& look : looksOf(trace.robots[0].observation)) {
+            for (const CameraLook& look : looksOf(trace.robots[0].observation)) {
                 ++all;
                 seen += static_cast<int>(look.landmarks.size());
             }
@@ -239,7 +180,7 @@ TEST(LearnedCamera, BodiesHideByTheirShapes) {
 TEST(LearnedCamera, NothingIsReportedThroughWalls) {
     const SensorPointer camera = cameraOf(cameraNetwork());
     const auto seen = [&](const Obstacle& between) {
-        const Look look = looks(filmed(camera, {between, post("a", {2, 0})}, {{2, 1, 0}}).scenario(), 1)[0];
+        const CameraLook look = looks(filmed(camera, {between, post("a", {2, 0})}, {{2, 1, 0}}).scenario(), 1)[0];
         return std::pair(!look.landmarks.empty(), !look.robots.empty());
     };
     using Seen = std::pair<bool, bool>;
@@ -276,7 +217,7 @@ TEST(LearnedCamera, ErrorsAreAlikeWithinALookAndFromLookToLookAsLearned) {
     network.noise[1] = {0.2, 0.3, 2, 0.4, 0.7};  // the range's
     const auto all = looks(filmed(cameraOf(network), {post("a", {2, 0.6}), post("b", {2, -0.6})}).scenario(), 40000);
     const double range = std::hypot(2, 0.6), period = 0.236;
-    const auto z = [&](const Look& look, std::size_t i) {
+    const auto z = [&](const CameraLook& look, std::size_t i) {
         return (length(look.landmarks[i].position_B) - range) / 0.05;
     };
     StandardNormals errors;
@@ -402,95 +343,6 @@ TEST(LearnedCamera, ReportsTheSameAloneAndAmongOthers) {
     for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(alone[i].landmarks, among[i].landmarks) << i;
 }
 
-/// Subjects are numbered landmarks first, then robots, and 32 of them have a slot of the camera's memory.
-constexpr std::size_t remembered = std::tuple_size_v<decltype(LearnedCamera::Memory::slots)>;
-
-/// Whose errors last, and whether there is a reading.
-SensorNetwork lastingNetwork() {
-    SensorNetwork network = cameraNetwork({.threshold = 1, .rangeSpread = 0.05, .bearingSpread = 0.02});
-    network.noise[0] = {0, 0, 1, 0.9, 5};
-    network.noise[1] = network.noise[2] = {0, 0, 1, 0.9, 1000};
-    return network;
-}
-
-/// Posts before the camera where `inView` says so; the others, and no robots, are behind it.
-SmallWorld postsAhead(std::size_t count, const std::function<bool(std::size_t)>& inView) {
-    std::vector<Obstacle> all;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double aside = 0.03 * static_cast<double>(i) - 0.5;
-        all.push_back(post(std::to_string(i), {inView(i) ? 2.0 : -2.0, aside}, 0.01));
-    }
-    return filmed(cameraOf(lastingNetwork()), std::move(all));
-}
-
-/// What is reported of one landmark, by look.
-std::vector<std::optional<Point>> readingsOf(const std::vector<Look>& looks, std::uint32_t landmark) {
-    std::vector<std::optional<Point>> all;
-    for (const Look& look : looks) {
-        const auto found = std::ranges::find(look.landmarks, landmark, &SeenBody::index);
-        all.push_back(found == look.landmarks.end() ? std::nullopt : std::optional(found->position_B));
-    }
-    return all;
-}
-
-TEST(LearnedCamera, SubjectsWhoseNumbersShareASlotDoNotDisturbEachOther) {
-    constexpr std::uint32_t one = 3, other = one + remembered;
-    const auto both =
-        looks(postsAhead(other + 1, [](std::size_t i) { return i == one || i == other; }).scenario(), 2000);
-    for (const std::uint32_t landmark : {one, other}) {
-        const auto alone = looks(postsAhead(other + 1, [&](std::size_t i) { return i == landmark; }).scenario(), 2000);
-        const auto readings = readingsOf(both, landmark);
-        EXPECT_EQ(readings, readingsOf(alone, landmark)) << landmark;
-        // Of neighbouring looks: half the mean square of the difference is what does not last.
-        const double range = std::hypot(2, 0.03 * landmark - 0.5);
-        double differences = 0;
-        int pairs = 0;
-        for (std::size_t k = 1; k < readings.size(); ++k) {
-            if (!readings[k] || !readings[k - 1]) continue;
-            const double change = (length(*readings[k]) - length(*readings[k - 1])) / 0.05;
-            EXPECT_LT(std::abs(length(*readings[k]) - range), 0.3);
-            differences += change * change;
-            ++pairs;
-        }
-        ASSERT_GT(pairs, 200);
-        EXPECT_NEAR(differences / (2 * pairs), 0.1 + 0.9 * (1 - std::exp(-0.236 / 1000)), 0.02) << landmark;
-    }
-}
-
-/// Of more than it remembers, the first keep what they have.
-TEST(LearnedCamera, MoreSubjectsInViewThanItRemembersTakeNothingFromTheFirst) {
-    const auto few = looks(postsAhead(remembered + 3, [](std::size_t i) { return i < remembered; }).scenario(), 300),
-               all = looks(postsAhead(remembered + 3, [](std::size_t) { return true; }).scenario(), 300);
-    std::size_t reportedBeyond = 0;
-    for (std::uint32_t landmark = 0; landmark < remembered + 3; ++landmark) {
-        const auto readings = readingsOf(all, landmark);
-        if (landmark < remembered)
-            EXPECT_EQ(readings, readingsOf(few, landmark)) << landmark;
-        else
-            reportedBeyond +=
-                static_cast<std::size_t>(std::ranges::count_if(readings, [](const auto& r) { return r.has_value(); }));
-    }
-    EXPECT_NEAR(static_cast<double>(reportedBeyond) / 900, normalProbability(1), 0.06);
-}
-
-/// What is out of view longest makes room.
-TEST(LearnedCamera, RemembersThoseThatWereInViewLast) {
-    LearnedCamera::Memory memory;
-    for (std::uint32_t subject = 0; subject < remembered; ++subject) {
-        ASSERT_EQ(memory.find(subject), nullptr);
-        memory.take(subject, 100)->looked = 100 - 10 * (subject == 7) - 20 * (subject == 9);
-    }
-    EXPECT_EQ(memory.find(5), &memory.slots[5]);
-    ASSERT_EQ(memory.take(5 + remembered, 100), &memory.slots[9]);
-    memory.slots[9].looked = 100;
-    EXPECT_EQ(memory.find(9), nullptr);
-    EXPECT_EQ(memory.find(5 + remembered), &memory.slots[9]);
-    ASSERT_EQ(memory.take(9, 100), &memory.slots[7]);
-    memory.slots[7].looked = 100;
-    EXPECT_EQ(memory.take(7, 100), nullptr) << "all are in view";
-    EXPECT_EQ(memory.take(7, 101), &memory.slots[0]) << "the first of those that were at the last look";
-}
-
 TEST(LearnedCamera, IsThatOfTheRobotThatItIs) {
     SensorNetwork network = cameraNetworkBy(2);
     network.learned.inputs[2].mean = 0.5;
@@ -498,7 +350,8 @@ TEST(LearnedCamera, IsThatOfTheRobotThatItIs) {
         SmallWorld world = filmed(cameraOf(network, options), {post("a", {2, 0})});
         world.parts().scene.robots[0].motionRobot = motionRobot;
         const auto all = looks(world.scenario(), 200);
-        return static_cast<int>(std::ranges::count_if(all, [](const Look& look) { return !look.landmarks.empty(); }));
+        return static_cast<int>(
+            std::ranges::count_if(all, [](const CameraLook& look) { return !look.landmarks.empty(); }));
     };
     EXPECT_EQ(seen({}, "a"), 200);
     EXPECT_EQ(seen({}, "b"), 0);

@@ -6,7 +6,7 @@
 
 #include "geometry/normal_distribution.h"
 #include "learning/reference_network.h"
-#include "perception/sensor_inputs.h"
+#include "perception/some_sensor.h"
 #include "sensing/perceiving.h"
 #include "simulation/small_world.h"
 #include "world/state_bytes.h"
@@ -17,31 +17,11 @@ namespace {
 
 constexpr Nanoseconds localiserMillisecond = 1'000'000;
 
-SensorNetwork localisation() {
-    SensorNetwork network;
-    network.sensor = "localisation";
-    network.measures = SensorNetwork::Measures::pose;
-    network.robots = {"a"};
+/// Looks every 0.1 s, 0.08 s late.
+SensorNetwork localisation(const std::vector<double>& outputs = {}) {
+    SensorNetwork network = test::constantLocalisation(outputs);
     network.period = 100 * localiserMillisecond;
     network.latency = 80 * localiserMillisecond;
-    network.form = {3, 1};
-    network.gross = {0, {1, 1, 1}};
-    for (const char* name : {"x", "y", "heading_sine", "heading_cosine", "speed", "rotation"})
-        for (const SensorQuantity& quantity : sensorQuantities())
-            if (quantity.name == name)
-                network.learned.inputs.push_back({std::string(quantity.name), std::string(quantity.unit), 0, 1});
-    network.learned.kind = SensorNetwork::kind;
-    network.learned.outputs = sensorOutputs(network.measures, network.form);
-    return network;
-}
-
-/// Of every state it says the same.
-SensorNetwork constantLocalisation(const std::vector<double>& outputs) {
-    SensorNetwork network = localisation();
-    Mlp mlp{{static_cast<int>(network.learned.inputs.size()), 1, network.form.outputs()}, {}};
-    mlp.parameters.resize(mlp.shape.parameterCount());
-    for (std::size_t i = 0; i < outputs.size(); ++i) network.learned.outputs[i].mean = outputs[i];
-    network.learned.regressor = std::move(mlp);
     return network;
 }
 
@@ -61,7 +41,7 @@ Scenario localised(const SensorNetwork& network, std::shared_ptr<const Controlle
     RobotType type = discRobot(0.2);
     type.sensors = {std::make_shared<const LearnedLocaliser>(std::make_shared<const LearnedSensor>(network),
                                                              SensorTraits{"place", period},
-                                                             LearnedLocaliser::Options{"a", latency})};
+                                                             LearnedLocaliser::Options{"1", latency})};
     return SmallWorld()
         .robot(type, {1, 2, 0.5}, std::move(controller),
                std::make_shared<const KinematicModel>(KinematicParameters{}, 100 * localiserMillisecond))
@@ -99,7 +79,7 @@ std::vector<Reported> reportsOf(const Scenario& scenario, int ticks, std::uint64
 
 TEST(LearnedLocalisers, ErrByTheDistributionInTheRobotsFrame) {
     const std::vector<double> outputs{5, 0.10, -0.05, 0.02, std::log(0.04), std::log(0.02), std::log(0.01)};
-    const auto reports = reportsOf(localised(constantLocalisation(outputs), driving()), 10'000, 4);
+    const auto reports = reportsOf(localised(localisation(outputs), driving()), 10'000, 4);
     ASSERT_NEAR(static_cast<double>(reports.size()), 2000, 2);
     StandardNormals x, y, heading;
     for (const Reported& one : reports) {
@@ -118,8 +98,7 @@ TEST(LearnedLocalisers, ErrByTheDistributionInTheRobotsFrame) {
 
 TEST(LearnedLocalisers, ReportByTheirClockWhatWasTheirLatencyAgo) {
     const std::vector<double> outputs{5, 0, 0, 0, -11, -11, -11};
-    const auto reports =
-        reportsOf(localised(constantLocalisation(outputs), driving(), 60 * localiserMillisecond), 500, 4);
+    const auto reports = reportsOf(localised(localisation(outputs), driving(), 60 * localiserMillisecond), 500, 4);
     ASSERT_GT(reports.size(), 150u);
     for (std::size_t i = 1; i < reports.size(); ++i) {
         EXPECT_EQ(reports[i].measured - reports[i - 1].measured, 60 * localiserMillisecond);
@@ -130,7 +109,7 @@ TEST(LearnedLocalisers, ReportByTheirClockWhatWasTheirLatencyAgo) {
 
 /// One that is never wrong by more than a picometre.
 SensorNetwork exactLocalisation() {
-    SensorNetwork network = constantLocalisation({8, 0, 0, 0, 0, 0, 0});
+    SensorNetwork network = localisation({8, 0, 0, 0, 0, 0, 0});
     network.gross = {1, {1e-12, 1e-12, 1e-12}};
     return network;
 }
@@ -183,14 +162,11 @@ TEST(LearnedLocalisers, ReportWhatWasTrueTheirLatencyAgoToTheNanosecond) {
 
 /// It reports where it drives faster than 0.15 m/s.
 TEST(LearnedLocalisers, KnowTheirRobotsVelocity) {
-    SensorNetwork network = constantLocalisation({0, 0, 0, 0, 0, 0, 0});
-    std::vector<NetworkVariable>& inputs = network.learned.inputs;
+    SensorNetwork network = localisation({0, 0, 0, 0, 0, 0, 0});
+    const std::vector<NetworkVariable>& inputs = network.learned.inputs;
     const auto speed =
         static_cast<std::size_t>(std::ranges::find(inputs, "speed", &NetworkVariable::name) - inputs.begin());
-    inputs[speed].mean = 0.15;
-    Mlp& mlp = std::get<Mlp>(network.learned.regressor);
-    mlp.parameters[speed] = 1000;
-    mlp.parameters[inputs.size() + 1] = 8;  // of the hidden unit to the quantile
+    test::reportAbove(network, speed, 0.15);
     const auto driving =
         std::make_shared<const Told>(std::vector<StampedCommand>{{0, {0.3, 0}}, {4'000 * localiserMillisecond, {}}});
     for (const Nanoseconds latency : {0, 33, 117}) {
@@ -201,7 +177,7 @@ TEST(LearnedLocalisers, KnowTheirRobotsVelocity) {
 }
 
 TEST(LearnedLocalisers, SlowPartsLastAndMissingReportsComeInBursts) {
-    SensorNetwork network = constantLocalisation({1, 0, 0, 0, 0, 0, 0});
+    SensorNetwork network = localisation({1, 0, 0, 0, 0, 0, 0});
     network.noise[0] = network.noise[1] = {0, 0.6, 1.2, 0, 1};
     const auto reports = reportsOf(localised(network, driving()), 40'000, 4);
     const double share = static_cast<double>(reports.size()) / 8000;
