@@ -3,17 +3,12 @@
 #include <algorithm>
 
 #include "geometry/angle.h"
+#include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
 #include "world/noise.h"
 
 namespace mrose {
 namespace {
-
-const SensorLog* sensorOf(const Trajectory& trajectory, const std::string& name) {
-    const auto found = std::find_if(trajectory.sensors.begin(), trajectory.sensors.end(),
-                                    [&](const SensorLog& sensor) { return sensor.sensor == name; });
-    return found == trajectory.sensors.end() ? nullptr : &*found;
-}
 
 int blockOf(const Trajectory& trajectory, Nanoseconds sinceBegin, const SensorSampleOptions& options) {
     return trajectory.group + static_cast<int>(toSeconds(sinceBegin) / options.block);
@@ -27,7 +22,7 @@ public:
 
     void collect(std::size_t log, std::size_t robot, std::size_t trajectory, int name) {
         const Trajectory& from = view_.log().robots[robot].trajectories[trajectory];
-        const SensorLog* const sensor = sensorOf(from, options_.sensor);
+        const SensorLog* const sensor = findSensor(from, options_.sensor);
         if (sensor == nullptr || sensor->looks.empty()) return;
         const Nanoseconds begin = sensor->looks.front().time;
         for (const Look& look : sensor->looks) {
@@ -111,7 +106,7 @@ public:
 
     void collect(std::size_t log, std::size_t robot, std::size_t trajectory, int name) {
         const Trajectory& from = view_.log().robots[robot].trajectories[trajectory];
-        const SensorLog* const sensor = sensorOf(from, options_.sensor);
+        const SensorLog* const sensor = findSensor(from, options_.sensor);
         if (sensor == nullptr) return;
         const std::vector<StampedPose>& poses = sensor->poses;
         for (std::size_t i = 0; i < poses.size(); ++i) {

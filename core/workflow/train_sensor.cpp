@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "identification/sensor_summary.h"
+#include "io/format.h"
+#include "logs/log_lookup.h"
 #include "workflow/learning_logs.h"
 #include "workflow/log_files.h"
 #include "workflow/outputs.h"
@@ -38,15 +40,6 @@ void lookAround(SensorNetwork& blueprint, SensorSampleOptions& sampling, const s
     sampling.view = blueprint.view;
     sampling.landmarks = blueprint.landmarks;
     sampling.robotSubjects = blueprint.robotSubjects;
-}
-
-std::vector<std::string> sensorNames(const Log& log) {
-    std::vector<std::string> names;
-    for (const RobotLog& robot : log.robots)
-        for (const Trajectory& trajectory : robot.trajectories)
-            for (const SensorLog& sensor : trajectory.sensors)
-                if (std::ranges::find(names, sensor.sensor) == names.end()) names.push_back(sensor.sensor);
-    return names;
 }
 
 Expected<void> checkHolds(const Log& log, const std::string& sensor) {
