@@ -135,7 +135,8 @@ void findChanges(SensorInspection& found, const RobotLog& robot, const SoundMisf
                                 toSeconds(level.begin - origin),
                                 toSeconds(level.end - origin),
                                 index,
-                                level,
+                                level.begin,
+                                level.end,
                                 level.offset,
                                 level.error};
         };

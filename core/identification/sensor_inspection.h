@@ -19,9 +19,9 @@ struct SensorChange {
     };
     bool bearing = true;  ///< offsets in rad; otherwise the range: as a share of it
     std::string trajectory = {};
-    double begin = 0, end = 0;     ///< s after the trajectory's first command or pose
-    std::size_t index = 0;         ///< of the trajectory
-    LevelChange level = {};        ///< with stamps of readings
+    double begin = 0, end = 0;                  ///< s after the trajectory's first command or pose
+    std::size_t index = 0;                      ///< of the trajectory
+    Nanoseconds firstStamp = 0, lastStamp = 0;  ///< of the readings that were off
     double offset = 0, error = 0;  ///< what is reported, from its usual difference to the truth; one standard error
     Cause cause = Cause::unknown;
     double headingOffset = 0, headingError = 0;  ///< rad: of the tracked heading by the direction of motion; 0: unknown

@@ -66,7 +66,7 @@ SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sens
             if (found.looks + found.poses + found.scans == 0) continue;
             for (const SensorChange& change : found.changes)
                 if (change.cause == SensorChange::Cause::truth)
-                    summary.falseTruth.push_back({log, robot, change.index, change.level.begin, change.level.end});
+                    summary.falseTruth.push_back({log, robot, change.index, change.firstStamp, change.lastStamp});
             summary.readings += found.readings;
             summary.poses += found.poses;
             summary.scans += found.scans;

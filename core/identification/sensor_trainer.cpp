@@ -291,7 +291,8 @@ Expected<Folds> learnFolds(SensorLearner& learner, Half half, int count) {
     return folds;
 }
 
-std::string whyNot(const SensorNetwork& network) {
+/// Why a network of such inputs cannot be.
+std::string objection(const SensorNetwork& network) {
     if (network.learned.inputs.size() > LearnedNetwork::maxInputs)
         return "holds " + std::to_string(network.robots.size()) + " robots; at most " +
                std::to_string(LearnedNetwork::maxInputs - (network.learned.inputs.size() - network.robots.size())) +
@@ -324,7 +325,7 @@ Expected<SensorNetwork> trainSensor(const SensorNetwork& blueprint, const Sensor
     network.learned.kind = SensorNetwork::kind;
     network.learned.inputs = sensorInputsFor(network, samples);
     network.learned.outputs = sensorOutputsFor(network, samples, sound);
-    if (const std::string reason = whyNot(network); !reason.empty()) return fail("", reason);
+    if (const std::string reason = objection(network); !reason.empty()) return fail("", reason);
     SensorLearner learner(network, samples, options, progress);
     const auto reports = learnFolds(learner, Half::reported, options.reported.folds);
     if (!reports) return tl::unexpected(reports.error());

@@ -19,8 +19,8 @@ struct SensorHalfOptions {
 };
 
 /// Part of the samples, whole blocks of time, is held out in turn: that gives the held-out score, and says how many
-/// epochs are best. Then all samples are learned from, for so many epochs. Errors are learned otherwise by networks: as
-/// they are predicted best where those that were learned from different parts each have a share, those are the members.
+/// epochs are best. Then all samples are learned from, for so many epochs; but the errors of networks are of members
+/// (ReadingForm), those that were learned without one part each.
 struct SensorTrainerOptions {
     RegressorFamily family = RegressorFamily::network;
     int components = 4;  ///< of a member's mixture; tables and trees have 1

@@ -157,10 +157,6 @@ int LearnedCamera::robotOf(const SensorView& view) const {
     return robot_ ? *robot_ : learned_->robotIndex(view.scene.robots[view.robot].motionRobot);
 }
 
-Velocity LearnedCamera::ownVelocity(const SensorView& view, const Placement& own) const {
-    return mrose::ownVelocity(view, own, reach_);
-}
-
 void LearnedCamera::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
     auto& own = as<Memory>(memory);
     const Channels common = commonNumbers(view, own);
@@ -190,7 +186,7 @@ void LearnedCamera::sense(const SensorView& view, std::span<std::byte> memory, O
     b.states.clear();
     b.which.clear();
     b.simulated.describe(
-        view, ownVelocity(view, b.simulated.eye()),
+        view, ownVelocity(view, b.simulated.eye(), reach_),
         [&](const SimulatedView::Subject& subject) { return reports(subject.kind); }, b.states, b.which);
     // In their order: none is moved onto one that is needed yet.
     for (std::size_t i = 0; i < b.which.size(); ++i) b.numbers[i] = b.numbers[b.which[i]];

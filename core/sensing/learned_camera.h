@@ -78,7 +78,6 @@ private:
                       Memory& memory) const;
     ReadingDraw errorDraw(const UniformDraws& draws, const ReadingError& common) const;
     int robotOf(const SensorView& view) const;
-    Velocity ownVelocity(const SensorView& view, const Placement& own) const;
     bool reports(SubjectKind kind) const;
 
     std::shared_ptr<const LearnedSensor> learned_;

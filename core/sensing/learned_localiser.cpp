@@ -73,12 +73,14 @@ void LearnedLocaliser::sense(const SensorView& view, std::span<std::byte> memory
     SensedState state;
     state.own = view.poseAt(view.robot, view.measured);
     state.velocity = ownVelocity(view, Placement(state.own), reach_);
-    ReadingDistribution distribution;
     const int robot = robot_ ? *robot_ : learned_->robotIndex(view.scene.robots[view.robot].motionRobot);
-    learned_->distributions({&state, 1}, robot, {&distribution, 1});
     const ReadingDraw draw = drawOf(view, own);
-    if (!distribution.reports(draw)) return;
-    const ReadingError error = distribution.error(draw);
+    std::vector<std::uint32_t>& reported = view.buffers.reported;
+    reported.clear();
+    learned_->reported({&state, 1}, robot, {&draw.reported, 1}, reported);
+    if (reported.empty()) return;
+    ReadingError error;
+    learned_->errors({&state, 1}, reported, robot, {&draw, 1}, {&error, 1});
     out.add(traits_.name, view.measured, state.own * Pose{error[0], error[1], error[2]});
 }
 
