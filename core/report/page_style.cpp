@@ -67,7 +67,8 @@ code { font: 13.5px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; overflow-w
 .legend svg { flex: none; }
 svg.plot { display: block; width: 100%; height: auto; overflow: visible; }
 .scene { display: flex; flex-wrap: wrap; gap: 12px 28px; align-items: center; justify-content: center; } .scene > svg { display: block; flex: 0 1 auto; max-width: 100%; height: auto; border-radius: 6px; } .scene > div { flex: 1 1 300px; min-width: 0; max-width: 560px; }
-svg text { font-family: system-ui, "Segoe UI", "DejaVu Sans", sans-serif; fill: var(--ink); }
+svg text { font-family: system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
+:where(svg.plot, .legend svg) text { fill: var(--ink); }
 text.tick { font-size: 13px; fill: var(--soft); font-variant-numeric: tabular-nums; }
 text.title { font-size: 14px; fill: var(--ink); }
 text.middle { text-anchor: middle; } text.end { text-anchor: end; }
