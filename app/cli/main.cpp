@@ -20,8 +20,10 @@ std::string versionText() {
 }
 
 int runProgram(int argc, char** argv) {
-    CLI::App app("Learns how a team's robots move from their logs, and says how far the learned motion can be trusted.",
-                 "mrose");
+    CLI::App app(
+        "Learns how a team's robots move and what they perceive from their logs, says how far that can be trusted, and "
+        "simulates them.",
+        "mrose");
     app.set_version_flag("--version", versionText());
     app.require_subcommand(0, 1);  // none is refused below: an unknown one is then named
     app.failure_message([](const CLI::App*, const CLI::Error& error) {

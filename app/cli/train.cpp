@@ -145,11 +145,14 @@ void addSensor(CLI::App& sub, TrainFlags& flags) {
     sub.add_option("--latency", flags.sensor.latency, "Of the sensor in s, instead of the one identified from turning")
         ->check(numberRange(0.0, 1.0))
         ->needs(sensor);
+    for (const char* ofMotion : {"--model", "--hold-out", "--method", "--loss", "--chain", "--members", "--folds",
+                                 "--phases", "--dead-time-v", "--dead-time-w", "--lag-v", "--lag-w"})
+        sensor->excludes(sub.get_option(ofMotion));
 }
 
 /// What the models are, for the help.
 constexpr const char* modelsText =
-    "Models:\n"
+    "Models of motion:\n"
     "  history: commands of the last tenths of a second -> motion; learned on rollouts\n"
     "  state: velocity, and commands around the dead time -> motion and velocity; learned on rollouts, for robots of\n"
     "    limited acceleration\n"
@@ -264,7 +267,10 @@ int runTrainSensor(const TrainSensorRequest& request, const CommonFlags& common)
     if (!trained && wasInterrupted()) return reportInterrupted();
     if (!trained) return report(trained.error());
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    printSensor(*trained, request.output, spent.count());
+    if (common.json)
+        std::puts(sensorTrainingJson(trained->network, trained->notices, request.output, spent.count()).c_str());
+    else
+        printSensor(*trained, request.output, spent.count());
     return success;
 }
 
@@ -276,12 +282,14 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         "  mrose train MRCLAM_Dataset6 -o create.net\n"
         "  mrose train MRCLAM_Dataset6 --model paper --seed 3 -o create_paper.net\n"
         "  mrose train husky_windows.csv --hold-out 0.2 -o husky.net\n"
-        "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n" +
+        "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
+        "  mrose train MRCLAM_Dataset6 --sensor camera -o create_camera.net\n"
+        "  mrose train mylogs --sensor camera --family table -o camera_table.net\n" +
         std::string(modelsText) +
-        "Ctrl-C, SIGTERM or SIGHUP ends learning and saves the best network so far; Ctrl-C after that ends the program "
-        "at "
-        "once.";
-    CLI::App* sub = addSubcommand(app, common, "train", "Learn a motion network from logs", examples);
+        "Ctrl-C, SIGTERM or SIGHUP ends learning and saves the best network so far (of motion; of a sensor nothing); "
+        "Ctrl-C after that ends the program at once.";
+    CLI::App* sub =
+        addSubcommand(app, common, "train", "Learn how robots move, or what a sensor reports, from logs", examples);
     addSeed(*sub, common);
     addThreads(*sub, common);
     addOverwrite(*sub, common);
@@ -289,7 +297,12 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     addHow(*sub, *flags);
     addResponseTimes(*sub, *flags);
     addSensor(*sub, *flags);
-    return {sub, [flags, &common] {
+    const CLI::Option* components = sub->get_option("--components");
+    return {sub, [flags, components, &common] {
+                if (*components && flags->family != "network") {
+                    report(Error{{}, 0, 0, "--components", "is for --family network alone"});
+                    return static_cast<int>(usage);
+                }
                 return flags->sensor.sensor.empty() ? runTrain(flags->whole(common), common)
                                                     : runTrainSensor(flags->wholeSensor(common), common);
             }};

@@ -133,6 +133,23 @@ std::string trainingJson(const TrainedNetwork& trained, const std::string& file,
         .dump(2);
 }
 
+std::string sensorTrainingJson(const SensorNetwork& network, const std::vector<std::string>& notices,
+                               const std::string& file, double seconds) {
+    const bool ofPose = network.measures == SensorNetwork::Measures::pose;
+    return Printed{{"network", file},
+                   {"sensor", network.sensor},
+                   {"measures", ofPose ? "pose" : "subjects"},
+                   {"family", nameOf(familyOf(network.learned.regressor))},
+                   {"seconds", seconds},
+                   {"looks", network.heldOut.looks},
+                   {ofPose ? "poses" : "readings", network.heldOut.readings},
+                   {"latency_s", toSeconds(network.latency)},
+                   {"held_out_detection_log_likelihood", network.heldOut.reported},
+                   {"held_out_error_log_likelihood", network.heldOut.error},
+                   {"notices", notices}}
+        .dump(2);
+}
+
 std::string runJson(const Scenario& scenario, const RunResult& result, const RunNames& names) {
     const RunStatistics& statistics = result.statistics;
     Printed json{{"touches", statistics.touches},

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "experiment/batch.h"
 #include "experiment/run.h"
 #include "identification/log_inspection.h"
 #include "identification/network_trainer.h"
+#include "perception/sensor_network.h"
 #include "recording/recording.h"
 #include "recording/replay.h"
 
@@ -18,6 +20,8 @@ std::string inspectionJson(const LogInspection& inspection);
 
 /// `file`: the network's; `seconds`: how long it took.
 std::string trainingJson(const TrainedNetwork& trained, const std::string& file, double seconds);
+std::string sensorTrainingJson(const SensorNetwork& network, const std::vector<std::string>& notices,
+                               const std::string& file, double seconds);
 
 /// What is said of a run beside its result.
 struct RunNames {

@@ -74,6 +74,23 @@ TEST_F(EvaluateSensorProgram, LearnsTheOtherFamiliesFromTheSameLogs) {
                   {"Robot1_Odometry.dat", "has other content than what", "trees.net was learned from"});
 }
 
+TEST_F(EvaluateSensorProgram, LearningASensorKnowsNoFlagsOfMotion) {
+    std::vector<std::string> words{"train", folder_.path(), "--sensor",    "camera", "--family",
+                                   "table", "-o",           path("x.net"), "-q"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), words.begin(), words.end());
+        return runMrose(more);
+    };
+    expectOneLine(with({"--hold-out", "0.2"}), {"--hold-out", "--sensor"}, 2);
+    expectOneLine(with({"--model", "paper"}), {"--model", "--sensor"}, 2);
+    expectOneLine(with({"--components", "2"}), {"--components", "network"}, 2);
+    const ProgramResult printed = with({"--json"});
+    ASSERT_EQ(printed.status, 0) << printed.err;
+    const auto json = nlohmann::json::parse(printed.out);
+    EXPECT_EQ(json["family"], "table");
+    EXPECT_GT(json["readings"], 200);
+}
+
 TEST_F(EvaluateSensorProgram, WhatDoesNotFitIsSaidInOneLine) {
     const std::string net = learned("table");
     expectOneLine(runMrose(words(net, {"--robots", "9"})), {folder_.path(), "has no robot \"9\""});
