@@ -68,6 +68,8 @@ SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sens
                 if (change.cause == SensorChange::Cause::truth)
                     summary.falseTruth.push_back({log, robot, change.index, change.firstStamp, change.lastStamp});
             summary.readings += found.readings;
+            summary.known += found.known;
+            summary.gross += found.gross;
             summary.poses += found.poses;
             summary.scans += found.scans;
             latenesses.push_back(found.lateness);

@@ -13,6 +13,7 @@ namespace mrose {
 /// What the sensors of one name reported in logs, and when, by all robots and logs together.
 struct SensorSummary {
     std::size_t readings = 0, poses = 0, scans = 0;
+    std::size_t known = 0, gross = 0;  ///< readings beside ground truth; those that are gross errors
     bool clocked = false;    ///< reports come regularly, so that a missing one shows
     Nanoseconds period = 0;  ///< of the clock, or else the median of the robots' medians; 0: of too few
     /// The robots' mean, weighted by their standard errors. Not identified: none is, for the reason of the first.

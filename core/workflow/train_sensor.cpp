@@ -9,6 +9,7 @@
 #include "logs/log_lookup.h"
 #include "workflow/learning_logs.h"
 #include "workflow/log_files.h"
+#include "workflow/notices.h"
 #include "workflow/outputs.h"
 #include "workflow/resources.h"
 
@@ -108,6 +109,12 @@ SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary
     return blueprint;
 }
 
+/// Of readings that are mostly off the ground truth.
+std::string misfitText(const std::string& sensor, std::size_t gross, std::size_t known) {
+    return "the readings of \"" + sensor + "\" do not fit the ground truth: " + std::to_string(gross) + " of " +
+           std::to_string(known) + " are more than 1 m or 0.15 rad off; are their stamps of another clock?";
+}
+
 }  // namespace
 
 Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Progress& progress) {
@@ -122,7 +129,12 @@ Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Pro
     const SensorSummary found = summariseSensor(*logs, request.sensor, request.robots);
     if (found.readings + found.poses == 0 && found.scans > 0)
         return fail(logs->front().source, "\"" + request.sensor + "\" reports scans, which cannot be learned");
+    if (2 * found.gross > found.known)
+        return fail(logs->front().source, misfitText(request.sensor, found.gross, found.known));
     std::vector<std::string> notices;
+    for (const Log& log : *logs)
+        for (std::string& notice : noticesOf(log)) notices.push_back(std::move(notice));
+    const std::size_t ofLogs = notices.size();
     SensorNetwork blueprint = blueprintOf(request, found, *logs, notices);
     blueprint.robotType = traits->type;
     SensorSampleOptions sampling{.sensor = request.sensor,
@@ -137,7 +149,11 @@ Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Pro
         notices.push_back("Left out: " + counted(static_cast<std::size_t>(samples.falseTruth), "look") +
                           " at which the ground truth was off, see mrose inspect.");
     auto network = trainSensor(blueprint, samples, request.training, progress);
-    if (!network) return atFile(network.error(), logs->front().source);
+    if (!network) {
+        Error error = network.error();
+        if (ofLogs > 0 && error.file.empty()) error.cause += ". " + notices.front();
+        return atFile(std::move(error), logs->front().source);
+    }
     TrainedSensor trained{std::move(*network), std::move(notices)};
     if (request.output.empty()) return trained;
     if (auto saved = saveSensor(trained.network, request.output); !saved) return tl::unexpected(saved.error());

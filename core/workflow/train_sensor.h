@@ -30,8 +30,8 @@ struct TrainedSensor {
 
 /// Reads the logs, learns, and writes the network: of subjects where the sensor reported readings, else of its robot's
 /// own pose. Error: of the logs, openLog(); one without measurements, without such a sensor or robot; a sensor of
-/// scans; the file cannot be written, is there already or one of the logs; too little to learn from; `progress` ended
-/// it.
+/// scans; most readings are far off the ground truth; the file cannot be written, is there already or one of the logs;
+/// too little to learn from; `progress` ended it.
 Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Progress& progress = {});
 
 }  // namespace mrose

@@ -132,6 +132,16 @@ TEST_F(TrainSensor, RefusesWithOneLine) {
     sensors = {{.sensor = "laser", .scans = {{planted::instant(2), -1, 1, {1, 2, 3}}}}};
     expectError(trainSensor(request(write("scans.csv", scanning), "laser")), path("scans.csv"),
                 {"\"laser\" reports scans, which cannot be learned"});
+    Log shifted = plantedSensorLog({});
+    for (RobotLog& robot : shifted.robots)
+        for (SensorLog& sensor : robot.trajectories[0].sensors)
+            for (Look& look : sensor.looks) look.time += fromSeconds(20);
+    expectError(trainSensor(request(write("shifted.csv", shifted), "camera")), path("shifted.csv"),
+                {"\"camera\" do not fit the ground truth", "another clock"});
+    Log placeless = plantedSensorLog({});
+    for (LogSubject& subject : placeless.subjects) subject.position.reset();
+    expectError(trainSensor(request(write("unknown.csv", placeless), "camera")), path("unknown.csv"),
+                {"holds 0 readings of what is known", "Nothing says where"});
     EXPECT_FALSE(std::filesystem::exists(path("learned.net")));
 }
 
