@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "identification/sensor_samples.h"
+#include "identification/sensor_summary.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "learning/network_file.h"
@@ -100,6 +102,29 @@ std::vector<std::string> judgedRobots(const LoggedCases& cases) {
     return names;
 }
 
+/// What must be known of the readings before a sensor is blamed for them, a sentence each.
+std::vector<std::string> noticesOf(const LoggedCases& cases, const Log& log) {
+    std::vector<std::string> notices;
+    for (const LoggedCases::Robot& robot : cases.robots) {
+        if (20 * robot.gross > robot.readings)
+            notices.push_back("Robot " + robot.name + ": " + std::to_string(robot.gross) + " of " +
+                              counted(robot.readings, "reading") +
+                              " are more than 1 m or 0.15 rad off the truth, and their errors are left out.");
+        const auto truths = summariseSensor({&log, 1}, cases.sensor, {robot.name}).falseTruth;
+        const auto looks = std::ranges::count_if(cases.looks, [&](const LoggedLook& look) {
+            return cases.robots[look.robot].name == robot.name &&
+                   std::ranges::any_of(truths, [&](const FalseTruth& off) {
+                       return off.trajectory == look.trajectory && look.time >= off.begin && look.time <= off.end;
+                   });
+        });
+        if (looks > 0)
+            notices.push_back(
+                "Robot " + robot.name + ": at " + std::to_string(looks) + " of " + counted(robot.looks, "look") +
+                " its tracked heading was off, see mrose inspect: bearings are judged worse than they are.");
+    }
+    return notices;
+}
+
 }  // namespace
 
 Expected<bool> isSensorFile(const std::string& path) {
@@ -120,6 +145,7 @@ Expected<SensorNetworkEvaluation> evaluateSensor(const EvaluateSensorRequest& re
     context.notices = noticesOf(*log);
     for (std::string& notice : noticesOf(*own, *log, judgedRobots(*cases)))
         context.notices.push_back(std::move(notice));
+    for (std::string& notice : noticesOf(*cases, *log)) context.notices.push_back(std::move(notice));
     std::vector<std::unique_ptr<SensorModel>> models;
     std::vector<NamedSensor> named;
     const auto add = [&](std::string name, std::unique_ptr<SensorModel> model) {
