@@ -87,7 +87,7 @@ public:
 
 private:
     static bool isOf(const Reading& reading, const RecordType& type) {
-        return reading.type == &type || *reading.type == type;
+        return reading.type == &type || (reading.type != nullptr && *reading.type == type);
     }
     /// Where the records of a sensor lie that every robot has, of the first reading.
     struct Place {

@@ -86,13 +86,18 @@ TomlTable::TomlTable(std::shared_ptr<State> state, const Value* table, std::stri
 
 bool TomlTable::has(std::string_view key) {
     known_.emplace_back(key);
-    return table_->find(key) != nullptr;
+    return lookUp(key) != nullptr;
+}
+
+const Value* TomlTable::lookUp(std::string_view key) const {
+    const Value* const own = table_->find(key);
+    return own != nullptr ? own : fallback_.find(key);
 }
 
 const Value* TomlTable::find(std::string_view key) {
     asked_.emplace(key);
     known_.emplace_back(key);
-    const Value* node = table_->find(key);
+    const Value* node = lookUp(key);
     if (node || failed()) return node;
     if (rejectMisspelt(key)) return nullptr;
     reject(key, "is missing");

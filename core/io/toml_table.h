@@ -63,6 +63,10 @@ public:
     std::vector<TomlTable> tables(std::string_view key);  ///< an array of tables
     std::vector<TomlTable> tablesOrNone(std::string_view key);
 
+    /// From now on a key that this table lacks is read from another one, which was checked before: unknown keys in it
+    /// are none of this table's.
+    void fallBackOn(Value table) { fallback_ = std::move(table); }
+
     /// The value of a key as it is; null, after remembering that it is missing, where there is none.
     const Value* value(std::string_view key) { return find(key); }
     /// Notes that what a key holds is the same as `value`: the file that it names. resolved() has it in that place.
@@ -97,6 +101,8 @@ private:
     /// A key that was probably meant to be this one; whether there was such.
     bool rejectMisspelt(std::string_view key);
     const Value* find(std::string_view key);
+    /// As it is; null: it is not there.
+    const Value* lookUp(std::string_view key) const;
     void rejectAt(const Value* node, std::string_view key, std::string cause);
     /// The key that a misspelt one is meant for; "" where none is near.
     std::string meantFor(std::string_view key) const;
@@ -107,6 +113,7 @@ private:
 
     std::shared_ptr<State> state_;
     const Value* table_;                        ///< a table
+    Value fallback_;                            ///< another one, or nothing
     std::string path_;                          ///< as messages name it, with a dot at its end
     std::string place_;                         ///< the same with the numbers of elements
     std::set<std::string, std::less<>> asked_;  ///< keys read

@@ -38,9 +38,14 @@ std::string countName(std::string_view reading, const std::string& sensor) {
     return std::string(reading.starts_with(sensor + '.') ? reading.substr(sensor.size() + 1) : reading);
 }
 
-void addReading(const Observation& all, const Reading& reading, const std::string& sensor,
-                std::vector<MemoryEntry>& entries) {
+void addReading(const Observation& all, const Reading& reading, const Sensor& of, std::vector<MemoryEntry>& entries) {
     const std::string_view name = reading.name;
+    const std::string sensor = of.name();
+    if (name == sensor) {
+        const std::vector<MemoryEntry> summary = of.summary(all, reading);
+        entries.insert(entries.end(), summary.begin(), summary.end());
+        if (!summary.empty()) return;
+    }
     if (name != sensor || reading.count != 1) {
         entries.push_back({countName(name, sensor), static_cast<double>(reading.count)});
         return;
@@ -57,7 +62,7 @@ std::vector<MemoryEntry> sensorEntries(const Moment& moment, std::size_t robot, 
     if (robot >= moment.insights.size() || !moment.insights[robot].observed) return entries;
     const Observation& all = moment.insights[robot].observation;
     for (const ReadingKind& kind : sensor.gives())
-        if (const Reading* const reading = all.newest(kind.name)) addReading(all, *reading, sensor.name(), entries);
+        if (const Reading* const reading = all.newest(kind.name)) addReading(all, *reading, sensor, entries);
     return entries;
 }
 
@@ -90,8 +95,12 @@ std::vector<std::string> knownEntries(const Moment& moment, std::size_t body, st
     const Sensor& sensor = *moment.scenario->sensors(body)[part - 2];
     for (const MemoryEntry& entry : sensor.explain(moment.scenario->sensorMemory(*moment.state, body, part - 2)))
         names.push_back(entry.name);
+    const std::vector<MemoryEntry> summary = sensor.summary({}, {});
+    for (const MemoryEntry& entry : summary) names.push_back(entry.name);
     for (const ReadingKind& kind : sensor.gives()) {
-        if (kind.name == ReadingName(sensor.name()))
+        const bool own = kind.name == ReadingName(sensor.name());
+        if (own && !summary.empty()) continue;
+        if (own)
             for (const RecordField& field : kind.type->fields)
                 if (field.count == 1) names.push_back(field.name);
         names.push_back(countName(kind.name, sensor.name()));

@@ -2,6 +2,7 @@
 
 #include "scenario/description_reader.h"
 #include "scenario/environment_file.h"
+#include "scenario/sensor_preset.h"
 #include "scenario/shape_file.h"
 
 namespace mrose {
@@ -18,7 +19,7 @@ Expected<Description> described(Expected<T> value) {
 Expected<Description> loadDescription(const std::string& name, DescriptionSource& source,
                                       const ScenarioLoading& loading) {
     constexpr std::string_view folders[] = {"resources/scenarios", "resources/environments", "resources/robots",
-                                            "shapes"};
+                                            "resources/sensors", "shapes"};
     DescriptionLibrary library(source);
     const auto file = library.file(name, folders);
     if (!file) return tl::unexpected(file.error());
@@ -33,6 +34,9 @@ Expected<Description> loadDescription(const std::string& name, DescriptionSource
             return described(readEnvironment(content, shown));
         case DescriptionKind::robot:
             return described(readRobot(*file, library));
+        case DescriptionKind::sensor:
+            if (const auto preset = readSensorPreset(*file, library); !preset) return tl::unexpected(preset.error());
+            return fail(shown, "describes a sensor, which robot files name by `preset`; expected another description");
         case DescriptionKind::scenario:
             break;
     }

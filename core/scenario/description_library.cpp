@@ -4,6 +4,7 @@
 
 #include "io/toml_text.h"
 #include "scenario/delayed_network.h"
+#include "scenario/sensor_preset.h"
 #include "scenario/shape_file.h"
 
 namespace mrose {
@@ -115,6 +116,26 @@ std::shared_ptr<const LearnedSensor> DescriptionLibrary::sensor(TomlTable& table
     auto parsed = parseSensor(*file->content.asText(), shown(file->name));
     if (!parsed) return table.adopt(parsed.error()), nullptr;
     return sensor = std::make_shared<const LearnedSensor>(std::move(*parsed));
+}
+
+const Value* DescriptionLibrary::sensorPreset(TomlTable& table, std::string_view key, const std::string& from) {
+    const Value::File file = this->file(table, key, from, "resources/sensors", Holds::tables);
+    if (!file) return nullptr;
+    Value::File& preset = presets_[file];
+    if (!preset) {
+        auto checked = readSensorPreset(file, *this);
+        if (!checked) return table.adopt(checked.error()), nullptr;
+        preset =
+            std::make_shared<const DescriptionFile>(DescriptionFile{file->name, file->reference, std::move(*checked)});
+    }
+    table.resolve(key, preset);
+    return &preset->content;
+}
+
+SensorSources DescriptionLibrary::sensorSources(const std::string& from, std::shared_ptr<const Shape> shape) {
+    return {[this, from](TomlTable& table, std::string_view key) { return sensor(table, key, from); },
+            [this, from](TomlTable& table, std::string_view key) { return sensorPreset(table, key, from); },
+            std::move(shape)};
 }
 
 }  // namespace mrose

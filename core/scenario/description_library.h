@@ -14,6 +14,7 @@
 #include "motion/learned_model.h"
 #include "perception/learned_sensor.h"
 #include "scenario/description_source.h"
+#include "sensing/sensor_sources.h"
 
 namespace mrose {
 
@@ -39,6 +40,10 @@ public:
     /// One of these networks made ready for use, once for each dead time: that of the network, so much later.
     std::shared_ptr<const LearnedMotion> motion(const MotionNetwork& network, Nanoseconds laterV, Nanoseconds laterW);
     std::shared_ptr<const LearnedSensor> sensor(TomlTable& table, std::string_view key, const std::string& from);
+    /// The keys of the sensor preset that a table names; null after an error, which the table remembers.
+    const Value* sensorPreset(TomlTable& table, std::string_view key, const std::string& from);
+    /// What the table of a sensor in the file `from` refers to.
+    SensorSources sensorSources(const std::string& from, std::shared_ptr<const Shape> shape = nullptr);
     /// A robot's part of a log; nullopt where there is no such log.
     Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) { return source_.excerpt(excerpt); }
 
@@ -53,6 +58,7 @@ private:
     std::map<Value::File, std::shared_ptr<const Shape>> shapes_;
     std::map<Value::File, MotionNetwork> networks_;
     std::map<Value::File, std::shared_ptr<const LearnedSensor>> sensors_;
+    std::map<Value::File, Value::File> presets_;  ///< checked, with what they refer to, by the files as they were
     std::map<std::tuple<const MotionNetwork*, Nanoseconds, Nanoseconds>, std::shared_ptr<const LearnedMotion>> motions_;
 };
 

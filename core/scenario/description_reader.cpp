@@ -11,7 +11,8 @@
 namespace mrose {
 namespace {
 
-constexpr std::array<std::string_view, 4> formats{"mrose shape", "mrose environment", "mrose robot", "mrose scenario"};
+constexpr std::array<std::string_view, 5> formats{"mrose shape", "mrose environment", "mrose robot", "mrose scenario",
+                                                  "mrose sensor"};
 constexpr std::int64_t formatVersion = 1;
 
 std::optional<Colour> parseColour(std::string_view text) {

@@ -191,9 +191,7 @@ Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary
     robot.motionNoise = readMotionNoise(root.tableOrEmpty("motion_noise"));
     readManipulators(root, type, deadTimes);
     type.perception = readPerception(root.tableOrEmpty("perception"));
-    type.sensors = readSensors(root.tablesOrNone("sensor"), [&](TomlTable& table, std::string_view key) {
-        return library.sensor(table, key, file->name);
-    });
+    type.sensors = readSensors(root.tablesOrNone("sensor"), library.sensorSources(file->name, type.shape));
     root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());
     robot.file = std::make_shared<const DescriptionFile>(DescriptionFile{file->name, file->reference, root.resolved()});

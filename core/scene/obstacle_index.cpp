@@ -9,6 +9,9 @@ namespace {
 constexpr double smallestCell = 0.25;    // m
 constexpr double mostCells = 1'000'000;  // a larger place has larger cells
 
+// So many are looked at one by one.
+constexpr std::size_t fewPieces = 32;
+
 }  // namespace
 
 ObstacleIndex::Box ObstacleIndex::boxOf(const ConvexPiece& piece) {
@@ -36,26 +39,54 @@ void ObstacleIndex::visitCells(const ConvexPiece& piece, Visit visit) const {
         }
 }
 
+/// About as many cells as pieces.
+void ObstacleIndex::makeCoarseGrid(const Box& all) {
+    if (pieces_.size() <= fewPieces) return;
+    const Point size = all.most - all.least;
+    const auto count = static_cast<double>(pieces_.size());
+    const double side = std::max({std::sqrt(size.x * size.y / count), size.x / count, size.y / count, 1e-3});
+    coarse_.corner = all.least;
+    coarse_.perCell = 1 / side;
+    coarse_.columns = static_cast<std::size_t>(size.x / side) + 1;
+    coarse_.rows = static_cast<std::size_t>(size.y / side) + 1;
+    coarse_.begins.assign(coarse_.columns * coarse_.rows + 1, 0);
+    const auto visitCoarseCells = [&](const Box& box, auto visit) {
+        for (std::size_t row = coarse_.rowOf(box.least.y); row <= coarse_.rowOf(box.most.y); ++row)
+            for (std::size_t column = coarse_.columnOf(box.least.x); column <= coarse_.columnOf(box.most.x); ++column)
+                visit(row * coarse_.columns + column);
+    };
+    for (const Box& box : boxes_) visitCoarseCells(box, [&](std::size_t cell) { ++coarse_.begins[cell + 1]; });
+    for (std::size_t i = 1; i < coarse_.begins.size(); ++i) coarse_.begins[i] += coarse_.begins[i - 1];
+    coarse_.entries.resize(coarse_.begins.back());
+    std::vector<std::uint32_t> filled(coarse_.begins.begin(), coarse_.begins.end() - 1);
+    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+        visitCoarseCells(boxes_[i], [&](std::size_t cell) { coarse_.entries[filled[cell]++] = i; });
+}
+
 ObstacleIndex::ObstacleIndex(const Environment& environment, double margin)
     : landmarks_(landmarksOf(environment)), margin_(margin) {
     std::vector<Point> places;
     for (const Landmark& landmark : landmarks_) places.push_back(landmark.position);
     landmarkGrid_.fill(places, 0, 1);
-    for (std::uint32_t i = 0; i < environment.obstacles.size(); ++i)
-        for (const ConvexPiece& piece : environment.obstacles[i].shape.pieces) {
+    for (std::uint32_t i = 0; i < environment.obstacles.size(); ++i) {
+        const Shape& shape = environment.obstacles[i].shape;
+        for (std::size_t k = 0; k < shape.pieces.size(); ++k) {
             all_.push_back(static_cast<std::uint32_t>(pieces_.size()));
-            pieces_.push_back(piece);
+            pieces_.push_back(shape.pieces[k]);
+            boxes_.push_back(boxOf(shape.pieces[k]));
             surfaces_.push_back(environment.obstacles[i].surface);
             obstacles_.push_back(i);
+            parts_.push_back(shape.partOfPiece[k]);
             ofWall_.push_back(environment.obstacles[i].wall ? 1 : 0);
         }
+    }
     if (pieces_.empty()) return;
-    Box all = boxOf(pieces_.front());
-    for (const ConvexPiece& piece : pieces_) {
-        const Box box = boxOf(piece);
+    Box all = boxes_.front();
+    for (const Box& box : boxes_) {
         all.least = {std::min(all.least.x, box.least.x), std::min(all.least.y, box.least.y)};
         all.most = {std::max(all.most.x, box.most.x), std::max(all.most.y, box.most.y)};
     }
+    makeCoarseGrid(all);
     corner_ = all.least - Point{margin, margin};
     const Point size = all.most + Point{margin, margin} - corner_;
     cell_ = std::max(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -65,6 +66,13 @@ struct Scene {
     std::size_t bodyCount() const { return robots.size() + objects.size(); }
     const Shape& shapeOf(std::size_t body) const {
         return body < robots.size() ? *typeOf(body).shape : *typeOfObject(body - robots.size()).shape;
+    }
+    /// m, of the farthest point of any body from its reference point.
+    double widestReach() const {
+        double widest = 0;
+        for (const RobotType& type : robotTypes) widest = std::max(widest, type.shape->reach);
+        for (const ObjectType& type : objectTypes) widest = std::max(widest, type.shape->reach);
+        return widest;
     }
     Nanoseconds timeOf(std::int64_t tick) const { return tick * tickLength; }
     /// The nearest number of ticks.

@@ -15,8 +15,8 @@ std::string knownRobots(const SensorNetwork& network) {
 
 }  // namespace
 
-SensorPointer readLearnedSensor(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& networks) {
-    const std::shared_ptr<const LearnedSensor> learned = networks(table, "network");
+SensorPointer readLearnedSensor(TomlTable& table, const SensorTraits& traits, const SensorSources& sources) {
+    const std::shared_ptr<const LearnedSensor> learned = sources.network(table, "network");
     LearnedSensorOptions options;
     if (table.has("robot")) options.robot = name(table, "robot");
     if (!learned || table.failed()) return nullptr;

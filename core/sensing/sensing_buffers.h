@@ -8,7 +8,9 @@
 #include "control/observation.h"
 #include "perception/reading_distribution.h"
 #include "scene/point_grid.h"
+#include "sensing/cone_view.h"
 #include "sensing/horizon.h"
+#include "sensing/outlines.h"
 #include "sensing/simulated_view.h"
 #include "world/past_poses.h"
 
@@ -34,6 +36,9 @@ public:
     Horizon horizon;
     PointGrid::Spreading spreading;
     std::vector<SeenBody> seen;
+    Outlines outlines;
+    ConeView cone;
+    std::vector<double> ranges;
     SimulatedView simulated;
     std::vector<SensedState> states;
     std::vector<std::uint32_t> which, reported;

@@ -20,6 +20,13 @@ struct ReadingKind {
     const RecordType* type = nullptr;
 };
 
+/// An element of a sensor that measures its surroundings: a laser's beam, a sonar, a bumper's segment.
+struct SensorElement {
+    Pose mount;            ///< in the robot's frame, x along its axis
+    double halfWidth = 0;  ///< rad, of its cone; 0: a ray
+    double range = 0;      ///< m, how far it reaches
+};
+
 /// What a robot file says of any sensor beyond those that every robot has.
 struct SensorTraits {
     static constexpr std::size_t mostName = 23;  ///< characters: its readings may add to them
@@ -51,6 +58,14 @@ public:
 
     /// How wide and far it looks for bodies, constant; nullptr: it looks for none.
     virtual const BodySight* sight() const { return nullptr; }
+
+    /// The elements whose records it gives as the reading of its own name, constant; empty for other sensors.
+    virtual std::vector<SensorElement> elements() const { return {}; }
+    /// What conditions, plots and the inspector read of the reading of its own name, where that has several records:
+    /// always the same entries, whatever is in it. Empty: how many records there are.
+    virtual std::vector<MemoryEntry> summary(const Observation& /*all*/, const Reading& /*reading*/) const {
+        return {};
+    }
 
     /// Bytes of memory, constant; multiples of 8 lie aligned for anything.
     virtual std::size_t memorySize() const { return 0; }

@@ -4,10 +4,13 @@
 #include <set>
 
 #include "sensing/body_sight.h"
+#include "sensing/infrared_ring.h"
+#include "sensing/laser.h"
 #include "sensing/odometry.h"
 #include "sensing/self_localisation.h"
 #include "sensing/sensor_keys.h"
 #include "sensing/sensor_view.h"
+#include "sensing/sonar_ring.h"
 
 namespace mrose {
 
@@ -36,27 +39,27 @@ std::vector<SensorPointer> standardSensors(const Perception& perception) {
 
 namespace {
 
-SensorPointer readCamera(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
+SensorPointer readCamera(TomlTable& table, const SensorTraits& traits, const SensorSources& /*sources*/) {
     const double biasTime = table.numberOr("bias_time_s", SelfLocalisation().biasTime, {0.001, 1e6});
     const BodySight sight = readBodySight(table);
     return std::make_shared<const BodySensor>(sight, sight, biasTime, traits);
 }
 
-SensorPointer readLocaliser(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
+SensorPointer readLocaliser(TomlTable& table, const SensorTraits& traits, const SensorSources& /*sources*/) {
     return std::make_shared<const SelfLocaliser>(readSelfLocalisation(table), traits);
 }
 
-SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
+SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits, const SensorSources& /*sources*/) {
     if (traits.period > 0) table.reject("period_s", "odometry measures at each control instant; expected none");
     const double velocityNoise = table.numberOr("velocity_noise_mps", 0, metresOff);
     return std::make_shared<const Odometry>(velocityNoise, angleOr(table, "rotation_noise_degps", 0, degreesOff),
                                             traits);
 }
 
-constexpr SensorKind kinds[] = {{"camera", readCamera},
-                                {"localisation", readLocaliser},
-                                {"odometry", readOdometry},
-                                {"learned", readLearnedSensor}};
+constexpr SensorKind kinds[] = {{"camera", readCamera},        {"localisation", readLocaliser},
+                                {"odometry", readOdometry},    {"learned", readLearnedSensor},
+                                {"laser", readLaser},          {"sonar", readSonarRing},
+                                {"infrared", readInfraredRing}};
 
 /// What every robot's sensors are called, and what a controller and a motion model have of their own.
 constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,
@@ -66,10 +69,16 @@ constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsRe
 
 std::span<const SensorKind> sensorKinds() { return kinds; }
 
-std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, const SensorNetworkReader& networks,
-                                       std::span<const SensorKind> of) {
+SensorPointer readSensor(TomlTable& table, const SensorTraits& traits, const SensorSources& sources,
+                         std::span<const SensorKind> of) {
     std::vector<std::string_view> words;
     for (const SensorKind& kind : of) words.push_back(kind.name);
+    const std::size_t kind = table.choice("kind", words);
+    return table.failed() ? nullptr : of[kind].read(table, traits, sources);
+}
+
+std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, const SensorSources& sources,
+                                       std::span<const SensorKind> of) {
     std::set<std::string, std::less<>> names(std::begin(takenNames), std::end(takenNames));
     std::vector<SensorPointer> sensors;
     const std::size_t most = SensorView::mostSensors - standardSensors({}).size();
@@ -78,7 +87,11 @@ std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, const Sens
             table.reject("name", "is of too many sensors; expected at most " + std::to_string(most));
             break;
         }
-        const std::size_t kind = table.choice("kind", words);
+        if (table.has("preset")) {
+            const Value* const preset = sources.preset(table, "preset");
+            if (preset == nullptr) continue;
+            table.fallBackOn(*preset);
+        }
         SensorTraits traits{name(table, "name"), durationOr(table, "period_s", 0, {0.001, 10})};
         const bool plain =
             std::ranges::all_of(traits.name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
@@ -86,7 +99,7 @@ std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, const Sens
             table.reject("name", "expected letters, digits and _, at most " + std::to_string(SensorTraits::mostName));
         if (!names.insert(traits.name).second) table.reject("name", "is taken: \"" + traits.name + '"');
         if (table.failed()) continue;
-        sensors.push_back(of[kind].read(table, traits, networks));
+        sensors.push_back(readSensor(table, traits, sources, of));
         table.rejectUnknown();
     }
     return sensors;

@@ -61,10 +61,10 @@ struct SensorView {
         return past.poseBetween(state, body, moment.lag, moment.earlier);
     }
     Pose poseAt(std::size_t body, Nanoseconds time) const { return poseAt(body, momentOf(time)); }
-    const BodyMap& bodiesAt(Nanoseconds time) const {
-        const Moment moment = momentOf(time);
+    const BodyMap& bodiesAt(const Moment& moment) const {
         return buffers.bodiesBefore(past, state, moment.lag, moment.earlier);
     }
+    const BodyMap& bodiesAt(Nanoseconds time) const { return bodiesAt(momentOf(time)); }
     const BodyMap& bodiesBefore(std::int64_t lag) const { return buffers.bodiesBefore(past, state, arrivedAgo + lag); }
 };
 

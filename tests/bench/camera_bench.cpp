@@ -3,7 +3,6 @@
 // occlusion, which sees robots alone. Each looks at the same instants of the same run.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
 #include "bench/timing.h"
 #include "perception/learned_sensor.h"
@@ -91,9 +90,6 @@ std::size_t subjectsOf(const Scenario& scenario, const LearnedSensor& sensor, co
     return count;
 }
 
-/// Of this process alone, s: others may be at work.
-double processorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// Median time of all instants' looks, s; `reported`: how many bodies.
 double timeOf(const Scenario& scenario, const Sensor& sensor, const std::vector<Instant>& instants,
               std::size_t& reported) {
@@ -104,7 +100,7 @@ double timeOf(const Scenario& scenario, const Sensor& sensor, const std::vector<
     for (int i = 0; i < repetitions; ++i) {
         reported = 0;
         for (std::vector<std::byte>& memory : memories) std::ranges::fill(memory, std::byte{});
-        const double begin = processorTime();
+        const double begin = bench::processorTime();
         for (int round = 0; round < rounds; ++round)
             for (const Instant& instant : instants) {
                 buffers.forget();
@@ -116,7 +112,7 @@ double timeOf(const Scenario& scenario, const Sensor& sensor, const std::vector<
                 sensor.sense(view, std::span(memories[instant.robot]).first(sensor.memorySize()), out);
                 for (const Reading& reading : out.readings()) reported += reading.count;
             }
-        times.push_back((processorTime() - begin) / rounds);
+        times.push_back((bench::processorTime() - begin) / rounds);
     }
     return bench::median(times);
 }

@@ -45,7 +45,7 @@ public:
     EchoSounder(SensorTraits traits, double noise, Nanoseconds latency)
         : traits_(std::move(traits)), noise_(noise), latency_(latency) {}
 
-    static SensorPointer read(TomlTable& table, const SensorTraits& traits, const SensorNetworkReader& /*networks*/) {
+    static SensorPointer read(TomlTable& table, const SensorTraits& traits, const SensorSources& /*sources*/) {
         const double noise = table.numberOr("noise_m", 0, metresOff);
         return std::make_shared<const EchoSounder>(traits, noise, durationOr(table, "latency_s", 0, latencies));
     }

@@ -1,0 +1,136 @@
+#include "sensing/beam_fan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace mrose {
+namespace {
+
+constexpr double infinitelyFar = std::numeric_limits<double>::infinity();
+constexpr double wholeCircle = 2 * std::numbers::pi;
+
+/// A vector's direction within `roughly` rad: Abramowitz and Stegun (1964), 4.4.47.
+constexpr double roughly = 2e-5;
+double roughDirection(const Point& vector) {
+    const double along = std::abs(vector.x), across = std::abs(vector.y);
+    const double t = std::min(along, across) / std::max({along, across, 1e-300}), z = t * t;
+    double angle = t * (0.9998660 + z * (-0.3302995 + z * (0.1801410 + z * (-0.0851330 + z * 0.0208351))));
+    angle = across > along ? std::numbers::pi / 2 - angle : angle;
+    angle = vector.x < 0 ? std::numbers::pi - angle : angle;
+    return std::copysign(angle, vector.y);
+}
+
+}  // namespace
+
+BeamFan::BeamFan(double first, double step, std::size_t count)
+    : first_(first), perStep_(1 / step), step_(step), size_(count) {
+    for (std::size_t beam = 0; beam < (count + 1) / 2 * 2; ++beam) {
+        const auto [s, c] = sineCosine(direction(beam));
+        x_.push_back(c);
+        y_.push_back(s);
+    }
+}
+
+template <class Visit>
+void BeamFan::visitPairs(double right, double left, Visit visit) const {
+    // Whether a beam meets something is for the caller to say.
+    constexpr double slack = 4 * roughly;
+    double from = right - slack - first_;
+    from += from < 0 ? wholeCircle : 0;
+    const double width = left - right + (left < right ? wholeCircle : 0) + 2 * slack;
+    const auto visitFrom = [&](double begin, double end) {
+        const auto first = static_cast<std::int64_t>(begin * perStep_ + 1) & ~std::int64_t{1};
+        const auto last = std::min(static_cast<std::int64_t>(end * perStep_), static_cast<std::int64_t>(size()) - 1);
+        for (std::int64_t beam = first; beam <= last; beam += 2) visit(static_cast<std::size_t>(beam));
+    };
+    visitFrom(from, from + width);
+    // What reaches round to the first beam.
+    if (from + width >= wholeCircle) visitFrom(-step_, from + width - wholeCircle);
+}
+
+template <class Met>
+void BeamFan::castAt(const Outlines& outlines, const Outlines::Polygon& polygon, double* range, Met met) const {
+    const double *const dx = x_.data(), *const dy = y_.data();
+    const std::span<const Point> corners = outlines.corners().subspan(polygon.first, polygon.end - polygon.first);
+    const auto count = static_cast<unsigned>(corners.size());
+    // The edges that face the origin, each by its right end: one after the other.
+    unsigned facing = 0;
+    for (unsigned i = 0; i < count; ++i)
+        facing |= static_cast<unsigned>(cross(corners[i], corners[i > 0 ? i - 1 : count - 1]) > 0) << i;
+    const unsigned before = facing << 1 | facing >> (count - 1), starts = facing & ~before;
+    if (starts == 0) return;
+    auto i = static_cast<unsigned>(std::countr_zero(starts));
+    Point left = corners[i > 0 ? i - 1 : count - 1];
+    double leftDirection = roughDirection(left);
+    for (int edges = std::popcount(facing); edges > 0; --edges, i = i + 1 < count ? i + 1 : 0) {
+        const Point right = corners[i];
+        const double rightDirection = roughDirection(right), height = cross(right, left);
+        visitPairs(rightDirection, leftDirection, [&](std::size_t pair) {
+            for (std::size_t beam = pair; beam < pair + 2; ++beam) {
+                // How far inside of each end it passes. Neighbouring edges agree on theirs to the bit.
+                const double ofRight = right.x * dy[beam] - right.y * dx[beam];
+                const double ofLeft = dx[beam] * left.y - dy[beam] * left.x;
+                const double distance = height / (ofRight + ofLeft);
+                const bool meets = (ofRight >= 0) & (ofLeft >= 0) & (distance < range[beam]);
+                range[beam] = meets ? distance : range[beam];
+                met(beam, meets);
+            }
+        });
+        left = right;
+        leftDirection = rightDirection;
+    }
+}
+
+template <class Met>
+void BeamFan::castAt(const Outlines::Circle& circle, double* range, Met met) const {
+    const double *const dx = x_.data(), *const dy = y_.data();
+    const Point centre = circle.centre;
+    const double r = circle.radius, squared = r * r, away = dot(centre, centre) - squared;
+    if (!(away > 0)) return;  // inside
+    // Where the tangents from the origin touch.
+    const double tangent = std::sqrt(away);
+    const Point right{tangent * centre.x + r * centre.y, tangent * centre.y - r * centre.x};
+    const Point left{tangent * centre.x - r * centre.y, tangent * centre.y + r * centre.x};
+    visitPairs(roughDirection(right), roughDirection(left), [&](std::size_t pair) {
+        for (std::size_t beam = pair; beam < pair + 2; ++beam) {
+            const double along = dx[beam] * centre.x + dy[beam] * centre.y;
+            const double aside = dx[beam] * centre.y - dy[beam] * centre.x, depth = squared - aside * aside;
+            const double distance = along - std::sqrt(std::max(0.0, depth));
+            const bool meets = (depth >= 0) & (along > 0) & (distance < range[beam]);
+            range[beam] = meets ? distance : range[beam];
+            met(beam, meets);
+        }
+    });
+}
+
+template <class Met>
+void BeamFan::castAll(const Outlines& outlines, std::span<double> ranges, Met met) const {
+    assert(ranges.size() == places());
+    std::fill(ranges.begin(), ranges.end(), infinitelyFar);
+    std::uint32_t number = 0;
+    const auto metIt = [&](std::size_t beam, bool meets) { met(beam, meets, number); };
+    for (const Outlines::Polygon& polygon : outlines.polygons()) {
+        castAt(outlines, polygon, ranges.data(), metIt);
+        ++number;
+    }
+    for (const Outlines::Circle& circle : outlines.circles()) {
+        castAt(circle, ranges.data(), metIt);
+        ++number;
+    }
+}
+
+void BeamFan::cast(const Outlines& outlines, std::span<double> ranges) const {
+    castAll(outlines, ranges, [](std::size_t, bool, std::uint32_t) {});
+}
+
+void BeamFan::cast(const Outlines& outlines, std::span<double> ranges, std::span<std::uint32_t> met) const {
+    std::fill(met.begin(), met.end(), nothing);
+    castAll(outlines, ranges,
+            [&](std::size_t beam, bool meets, std::uint32_t its) { met[beam] = meets ? its : met[beam]; });
+}
+
+}  // namespace mrose
