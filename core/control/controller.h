@@ -30,7 +30,7 @@ constexpr std::uint32_t broadcast = 0xffffffff;
 
 /// What one robot tells another, or all others.
 struct RadioMessage {
-    static constexpr std::size_t most = 64;  ///< B
+    static constexpr std::size_t most = mostMessageBytes;  ///< B
 
     std::uint32_t to = broadcast;  ///< the robot
     std::uint32_t kind = 0;        ///< the sender's own: what the bytes are
@@ -64,7 +64,8 @@ struct Decision {
     std::optional<Command> command;       ///< issued now; nullopt: the one in force stays
     std::vector<StampedCommand> earlier;  ///< issued since the last instant, in order of time: by players of logs
     std::vector<Kick> kicks;
-    std::vector<RadioMessage> messages;  ///< received at the others' next control instants
+    std::vector<RadioMessage>
+        messages;  ///< received at the others' next control instants, or as the scenario's radio says
     std::vector<Annotation> annotations;
     std::string breakReason;  ///< not empty: the debugger stops after this tick
     std::string fault;        ///< not empty: the controller failed, and the robot is commanded to stand

@@ -13,6 +13,7 @@
 #include "geometry/point.h"
 #include "geometry/pose.h"
 #include "world/command.h"
+#include "world/radio_limits.h"
 
 namespace mrose {
 
@@ -86,17 +87,18 @@ struct ReceivedMessage {
     std::uint32_t from = 0;  ///< the robot
     std::uint32_t kind = 0;  ///< the sender's own: what the bytes are
     std::uint32_t size = 0;  ///< of the bytes
-    std::array<std::byte, 64> bytes{};
+    std::array<std::byte, mostMessageBytes> bytes{};
     std::uint32_t unused = 0;
 };
 
-inline const RecordType receivedMessageRecord{"message",
-                                              sizeof(ReceivedMessage),
-                                              {field<Nanoseconds>("sent", "ns", offsetof(ReceivedMessage, sent)),
-                                               field<std::uint32_t>("from", "", offsetof(ReceivedMessage, from)),
-                                               field<std::uint32_t>("kind", "", offsetof(ReceivedMessage, kind)),
-                                               field<std::uint32_t>("size", "B", offsetof(ReceivedMessage, size)),
-                                               field<std::uint8_t>("bytes", "", offsetof(ReceivedMessage, bytes), 64)}};
+inline const RecordType receivedMessageRecord{
+    "message",
+    sizeof(ReceivedMessage),
+    {field<Nanoseconds>("sent", "ns", offsetof(ReceivedMessage, sent)),
+     field<std::uint32_t>("from", "", offsetof(ReceivedMessage, from)),
+     field<std::uint32_t>("kind", "", offsetof(ReceivedMessage, kind)),
+     field<std::uint32_t>("size", "B", offsetof(ReceivedMessage, size)),
+     field<std::uint8_t>("bytes", "", offsetof(ReceivedMessage, bytes), mostMessageBytes)}};
 template <>
 inline const RecordType& recordType<ReceivedMessage>() {
     return receivedMessageRecord;

@@ -40,7 +40,7 @@ protected:
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 5;
+constexpr std::uint32_t pluginInterface = 6;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {

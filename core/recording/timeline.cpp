@@ -5,6 +5,7 @@
 
 #include "recording/tick_decisions.h"
 #include "scenario/first_version.h"
+#include "world/second_state_version.h"
 #include "world/state_bytes.h"
 
 namespace mrose {
@@ -52,7 +53,10 @@ void Timeline::add(const WorldState& after, const StepTrace& trace, const StateH
 SameHashes TimelineBlock::compare(const Scenario& scenario, const WorldState& state) const {
     const auto index = static_cast<std::size_t>(state.tick - 1 - first);
     const StateHash found = index < firstVersion ? firstVersionHash(scenario, state) : hashOf(state);
-    return {found.world == hashes[index].world, found.memories == hashes[index].memories};
+    // A recording of then may go on in a block with hashes of now.
+    const bool second = !state.messages.empty() && found.world != hashes[index].world &&
+                        secondVersionHash(state).world == hashes[index].world;
+    return {found.world == hashes[index].world || second, found.memories == hashes[index].memories};
 }
 
 bool Timeline::append(TimelineBlock block) {

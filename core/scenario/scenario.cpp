@@ -25,7 +25,8 @@ double searchMargin(const Scene& scene) {
 Scenario::Scenario(ScenarioParts parts)
     : parts_(std::move(parts)),
       obstacles_(parts_.scene.environment, searchMargin(parts_.scene)),
-      obstacleShape_(obstacles_.pieces()) {
+      obstacleShape_(obstacles_.pieces()),
+      teams_(teamsOf(parts_.scene)) {
     assert(parts_.controllers.size() == parts_.scene.robots.size());
     layOutSensors();
     layOut();

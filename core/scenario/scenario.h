@@ -101,6 +101,8 @@ public:
     }
     /// Which of the readings of a sensor its controller reads: bit k for Sensor::gives()[k].
     std::uint32_t wanted(std::size_t robot, std::size_t sensor) const { return wanted_[slots_[robot].wanted + sensor]; }
+    /// Of each robot; noTeam: of none.
+    std::span<const std::uint32_t> teams() const { return teams_; }
     bool readsMessages(std::size_t robot) const { return slots_[robot].readsMessages; }
     /// What one of them remembers in WorldState::sensing.
     template <class State>
@@ -175,6 +177,7 @@ private:
     std::vector<std::uint32_t> contactTypeOf_;
     std::vector<Slots> slots_;  ///< by body; objects have motion alone
     std::vector<Period> periods_;
+    std::vector<std::uint32_t> teams_;
     std::vector<Sensors> sensors_;       ///< of each type
     std::vector<std::uint32_t> wanted_;  ///< of a robot's sensors, once for all with the same
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;

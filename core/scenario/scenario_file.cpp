@@ -30,6 +30,7 @@ public:
 
 private:
     void readRun();
+    void readRadio();
     void readEnvironment();
     void readRobot(TomlTable& table, bool person);
     void readObject(TomlTable& table);
@@ -45,6 +46,7 @@ private:
     std::uint32_t objectTypeIndex(ObjectType type);
     void ballsFirst();
     double ballRadius() const;
+    void checkTeams();
     void checkStarts();
     void readSavedState();
 
@@ -80,6 +82,20 @@ void ScenarioReader::readRun() {
     }
     scene_.tickLength = durationOr(root_, "tick_s", scene_.tickLength, {0.001, 0.1});
     scene_.randomFactor = root_.numberOr("random_factor", 0, {0, 1});
+}
+
+void ScenarioReader::readRadio() {
+    if (!root_.has("radio")) return;
+    TomlTable table = root_.table("radio");
+    Radio& radio = scene_.radio;
+    constexpr double longest = static_cast<double>(Radio::mostDelay) / static_cast<double>(nanosecondsPerSecond);
+    radio.latency = durationOr(table, "latency_s", radio.latency, {0, longest});
+    radio.jitter = durationOr(table, "jitter_s", radio.jitter, {0, longest});
+    radio.loss = table.numberOr("loss", radio.loss, {0, 1});
+    radio.range = table.numberOr("range_m", radio.range, {0, 1e6});
+    constexpr auto most = static_cast<std::int64_t>(RadioMessage::most);
+    radio.messageBytes = static_cast<std::size_t>(table.integerOr("message_bytes", most, 1, most));
+    table.rejectUnknown();
 }
 
 void ScenarioReader::readEnvironment() {
@@ -204,6 +220,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     else
         body.start = pose(table.table("start"));
     body.phase = phase(table, *scene_.models[body.model]);
+    if (table.has("team")) body.team = name(table, "team");
     readNumber(table, body);
     table.rejectUnknown();
     if (setting.played)
@@ -276,6 +293,15 @@ double ScenarioReader::ballRadius() const {
     return ball ? scene_.typeOfObject(0).shape->reach : 0;
 }
 
+void ScenarioReader::checkTeams() {
+    std::map<std::string_view, std::size_t> sizes;
+    for (const SceneRobot& robot : scene_.robots) ++sizes[robot.team];
+    for (std::size_t i = 0; i < scene_.robots.size(); ++i)
+        if (const std::string& team = scene_.robots[i].team; !team.empty() && sizes[team] == 1)
+            return robotTables_[i].reject(
+                "team", "no other robot is of team \"" + team + "\"; expected one to talk to, or no team");
+}
+
 void ScenarioReader::checkStarts() {
     if (!loading_.playLogs && !parts_.players.empty()) return;  // it is not known yet where they start
     const auto overlap = findStartOverlap(scene_);
@@ -314,6 +340,7 @@ void ScenarioReader::readSavedState() {
 
 Expected<LoadedScenario> ScenarioReader::read() {
     readRun();
+    readRadio();
     readEnvironment();
     for (TomlTable& table : root_.tablesOrNone("object"))
         if (!root_.failed()) readObject(table);
@@ -321,6 +348,7 @@ Expected<LoadedScenario> ScenarioReader::read() {
     for (const auto& [key, person] : {std::pair("robot", false), std::pair("person", true)})
         for (TomlTable& table : root_.tablesOrNone(key))
             if (!root_.failed()) readRobot(table, person);
+    if (!root_.failed()) checkTeams();
     const bool goesOn = root_.has("initial_state");
     if (goesOn && !root_.failed()) readSavedState();
     root_.rejectUnknown();

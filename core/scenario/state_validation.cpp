@@ -35,8 +35,12 @@ bool soundNumbers(const WorldState& state) {
             !within(largest, r.commandBefore))
             return false;
     return allWithin(farthest, state.objects) && allWithin(farthest, state.contacts) &&
-           allWithin(farthest, state.kicks) && allWithin(farthest, state.past) && allWithin(largest, state.commands);
+           allWithin(farthest, state.kicks) && allWithin(farthest, state.past) && allWithin(farthest, state.messages) &&
+           allWithin(largest, state.commands);
 }
+
+/// Of a message.
+bool soundDelay(Nanoseconds delay) { return delay >= 0 && delay <= Radio::mostDelay; }
 
 std::string wrongSize(const char* what, std::size_t found, std::size_t expected) {
     if (found == expected) return {};
@@ -105,7 +109,8 @@ std::string validate(const Scenario& scenario, const WorldState& state) {
             return "a kick by a manipulator that is not there";
     for (const SentMessage& message : state.messages)
         if (message.from >= state.robots.size() || (message.to != noBody && message.to >= state.robots.size()) ||
-            message.size > message.bytes.size() || message.tick > state.tick || message.tick < 0)
+            message.size > message.bytes.size() || message.tick > state.tick || message.tick < 0 ||
+            message.number >= mostMessages || !soundDelay(message.latency) || !soundDelay(message.jitter))
             return "a message that is broken, or of a robot that is not there";
     const auto there = [&](std::uint32_t body) { return body < bodies || body == noBody; };
     for (const ContactImpulse& contact : state.contacts)

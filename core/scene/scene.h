@@ -10,6 +10,7 @@
 #include "motion/motion_model.h"
 #include "scene/environment.h"
 #include "scene/floor_motion.h"
+#include "scene/radio.h"
 #include "scene/robot_type.h"
 
 namespace mrose {
@@ -36,6 +37,7 @@ struct SceneRobot {
     /// Where others were left out: its place among all, by which people, colours and conditions know it.
     std::optional<std::uint32_t> place = {};
     std::string motionRobot = {};  ///< which of the robots of its networks it is; "": none of them
+    std::string team = {};         ///< "": none
 };
 
 struct SceneObject {
@@ -51,6 +53,7 @@ struct Scene {
     Nanoseconds tickLength = 20'000'000;
     /// Share by which restitution and friction vary at random from tick to tick, 0 ... 1: the paper's random factor.
     double randomFactor = 0;
+    Radio radio;
     Environment environment;
     std::vector<RobotType> robotTypes;
     std::vector<std::shared_ptr<const MotionModel>> models;

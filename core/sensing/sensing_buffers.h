@@ -11,6 +11,7 @@
 #include "sensing/cone_view.h"
 #include "sensing/horizon.h"
 #include "sensing/outlines.h"
+#include "sensing/radio_traffic.h"
 #include "sensing/simulated_view.h"
 #include "world/past_poses.h"
 
@@ -28,7 +29,10 @@ struct BodyMap {
 /// that it is reset before the bodies of another state are perceived.
 class SensingBuffers {
 public:
-    void forget() { used_ = 0; }
+    void forget() {
+        used_ = 0;
+        radio.forget();
+    }
     /// The same for all who perceive at this tick. Valid until forget().
     const BodyMap& bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag, double earlier = 0);
 
@@ -46,6 +50,7 @@ public:
     std::vector<ReadingDraw> draws;
     std::vector<ReadingError> common, errors;
     std::vector<ReceivedMessage> received;
+    RadioTraffic radio;  ///< of all
 
 private:
     std::vector<std::unique_ptr<BodyMap>> maps_;  ///< the first `used_` of them are of this state

@@ -12,22 +12,22 @@ void addFault(StepTrace* trace, std::size_t robot, std::string what) {
     if (trace != nullptr) trace->faults.push_back({static_cast<std::uint32_t>(robot), std::move(what)});
 }
 
-/// More of them in one instant are a fault.
-constexpr std::size_t mostMessages = 64;
-
-/// What is wrong with messages; null: nothing.
-const char* messageObjection(const Decision& decision, std::size_t robots) {
+/// What is wrong with messages; empty: nothing.
+std::string messageObjection(const Decision& decision, const Scene& scene) {
     if (decision.messages.size() > mostMessages) return "its controller sent more than 64 messages at once";
     for (const RadioMessage& message : decision.messages) {
-        if (message.size > RadioMessage::most) return "its controller sent a message that is too large";
-        if (message.to != broadcast && message.to >= robots)
+        if (message.size > scene.radio.messageBytes)
+            return "its controller sent a message of " + std::to_string(message.size) + " bytes; the radio carries " +
+                   std::to_string(scene.radio.messageBytes);
+        if (message.to != broadcast && message.to >= scene.robots.size())
             return "its controller sent a message to a robot that is not there";
     }
-    return nullptr;
+    return {};
 }
 
 /// What is wrong with orders; empty: nothing.
-std::string objection(const Decision& decision, Nanoseconds now, std::size_t manipulators, std::size_t robots) {
+std::string objection(const Decision& decision, Nanoseconds now, std::size_t robot, const Scene& scene) {
+    const std::size_t manipulators = scene.typeOf(robot).manipulators.size();
     if (decision.command && isAbsurd(*decision.command)) return "its controller " + absurdity(*decision.command);
     Nanoseconds last = std::numeric_limits<Nanoseconds>::min();
     for (const StampedCommand& earlier : decision.earlier) {
@@ -40,17 +40,15 @@ std::string objection(const Decision& decision, Nanoseconds now, std::size_t man
         if (!(kick.power >= 0 && kick.power <= 1)) return "its controller gave a kick whose power is not in 0 ... 1";
         if (kick.manipulator >= manipulators) return "its controller kicked with a manipulator that it does not have";
     }
-    if (const char* const wrong = messageObjection(decision, robots); wrong != nullptr) return wrong;
-    return {};
+    return messageObjection(decision, scene);
 }
 
 /// Messages that cannot be sent become a fault, and the others are what they say they are: nothing else is recorded.
-void checkMessages(Decision& decision, std::size_t robots) {
+void checkMessages(Decision& decision, const Scene& scene) {
     if (decision.messages.empty()) return;
-    const char* const wrong = messageObjection(decision, robots);
-    if (wrong != nullptr) {
+    if (std::string wrong = messageObjection(decision, scene); !wrong.empty()) {
         decision.messages.clear();
-        if (decision.fault.empty()) decision.fault = wrong;
+        if (decision.fault.empty()) decision.fault = std::move(wrong);
     }
     for (RadioMessage& message : decision.messages)
         std::fill(message.bytes.begin() + message.size, message.bytes.end(), std::byte{0});
@@ -66,9 +64,9 @@ void issue(const Scenario& scenario, WorldState& state, std::size_t robot, const
 }
 
 void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const Decision& decision, StepTrace* trace) {
-    const Nanoseconds now = scenario.scene().timeOf(state.tick);
-    const std::vector<Manipulator>& manipulators = scenario.scene().typeOf(robot).manipulators;
-    const std::string wrong = objection(decision, now, manipulators.size(), state.robots.size());
+    const Scene& scene = scenario.scene();
+    const Nanoseconds now = scene.timeOf(state.tick);
+    const std::string wrong = objection(decision, now, robot, scene);
     if (!wrong.empty() || !decision.fault.empty()) {
         addFault(trace, robot, wrong.empty() ? decision.fault : wrong);
         issue(scenario, state, robot, {now, {}});
@@ -76,12 +74,15 @@ void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const 
     }
     for (const StampedCommand& earlier : decision.earlier) issue(scenario, state, robot, earlier);
     if (decision.command) issue(scenario, state, robot, {now, *decision.command});
+    const std::vector<Manipulator>& manipulators = scene.typeOf(robot).manipulators;
     for (const Kick& kick : decision.kicks)
         state.kicks.push_back({now + manipulators[kick.manipulator].deadTime, static_cast<std::uint32_t>(robot),
                                kick.manipulator, kick.power});
+    std::uint64_t number = 0;
     for (const RadioMessage& message : decision.messages)
-        state.messages.push_back(
-            {state.tick, static_cast<std::uint32_t>(robot), message.to, message.kind, message.size, message.bytes});
+        state.messages.push_back({state.tick, number++, static_cast<std::uint32_t>(robot), message.to, message.kind,
+                                  message.size, position(state.robots[robot].pose), scene.radio.latency,
+                                  scene.radio.jitter, message.bytes});
 }
 
 const Decision* overriding(const Overrides& overrides, std::uint32_t robot) {
@@ -90,19 +91,29 @@ const Decision* overriding(const Overrides& overrides, std::uint32_t robot) {
     return found != overrides.decisions.end() && found->robot == robot ? &found->decision : nullptr;
 }
 
-/// Those that all have been told.
-void forgetMessages(WorldState& state) {
+/// Those that all could have received.
+void forgetMessages(const Scene& scene, WorldState& state) {
     if (state.messages.empty()) return;
     std::int64_t told = state.tick;
     for (const RobotState& robot : state.robots) told = std::min(told, robot.lastControl);
-    std::erase_if(state.messages, [told](const SentMessage& message) { return message.tick < told; });
+    std::erase_if(state.messages, [&](const SentMessage& m) {
+        return m.tick + arrivalTicks(m.latency + m.jitter, scene.tickLength) <= told;
+    });
+}
+
+/// What became of messages to a robot at this tick.
+void traceMessages(const Scenario& scenario, const WorldState& state, std::uint32_t robot, SensingBuffers& buffers,
+                   StepTrace& trace) {
+    if (state.messages.empty() || !scenario.readsMessages(robot)) return;
+    const auto due = buffers.radio.due(scenario.scene(), scenario.teams(), state, robot, StepTrace::outOfRangeNoted);
+    trace.transmissions.insert(trace.transmissions.end(), due.begin(), due.end());
 }
 
 }  // namespace
 
 void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, const Overrides& overrides,
             StepTrace* trace) {
-    forgetMessages(state);
+    forgetMessages(scenario.scene(), state);
     buffers.due.clear();
     buffers.sensing.forget();
     for (std::uint32_t i = 0; i < state.robots.size(); ++i) {
@@ -115,9 +126,10 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
             observe(scenario, state, i, scenario.sensorMemory(state, i), buffers.sensing, buffers.observation);
             buffers.decision.clear();
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);
-            checkMessages(buffers.decision, state.robots.size());
+            checkMessages(buffers.decision, scenario.scene());
             decision = &buffers.decision;
         }
+        if (trace != nullptr) traceMessages(scenario, state, i, buffers.sensing, *trace);
         robot.lastControl = state.tick;
         if (decision != nullptr) obey(scenario, state, i, *decision, trace);
         if (trace == nullptr) continue;
@@ -127,6 +139,7 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         if (traced.observed) traced.observation = buffers.observation;
         if (decision != nullptr) traced.decision = *decision;
     }
+    if (trace != nullptr && !trace->transmissions.empty()) trace->messages = state.messages;
 }
 
 void rememberPoses(const Scenario& scenario, WorldState& state) {

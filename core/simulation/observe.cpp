@@ -7,6 +7,8 @@
 namespace mrose {
 namespace {
 
+constexpr double onlyInRange = 1;
+
 /// Lets a sensor with a clock of its own measure whatever arrives after tick `last`.
 void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t last, std::span<std::byte> memory,
                      Observation& out) {
@@ -35,12 +37,12 @@ void senseByItsClock(const Sensor& sensor, SensorView view, std::int64_t last, s
     }
 }
 
-/// What was sent to the robot since its last control instant; what is sent now arrives at the next one.
-void receive(const SensorView& view, Observation& out) {
-    const std::int64_t last = view.state.robots[view.robot].lastControl;
-    for (const SentMessage& m : view.state.messages) {
-        const bool own = m.from == view.robot, others = m.to != broadcast && m.to != view.robot;
-        if (own || others || m.tick >= view.state.tick || m.tick < last) continue;
+/// What has arrived since the robot's last control instant; what is sent now arrives at the next one at the earliest.
+void receive(const Scenario& scenario, const SensorView& view, Observation& out) {
+    for (const Transmission& sent :
+         view.buffers.radio.due(view.scene, scenario.teams(), view.state, view.robot, onlyInRange)) {
+        if (sent.outcome != Transmission::Outcome::received) continue;
+        const SentMessage& m = view.state.messages[sent.message];
         view.buffers.received.push_back({view.scene.timeOf(m.tick), m.from, m.kind, m.size, m.bytes});
     }
     if (view.buffers.received.empty()) return;
@@ -74,7 +76,7 @@ void observe(const Scenario& scenario, const WorldState& state, std::size_t robo
         else
             senseByItsClock(sensor, view, last, own, out);
     }
-    if (!state.messages.empty() && scenario.readsMessages(robot)) receive(view, out);
+    if (!state.messages.empty() && scenario.readsMessages(robot)) receive(scenario, view, out);
 }
 
 }  // namespace mrose

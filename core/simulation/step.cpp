@@ -20,6 +20,8 @@ void StepTrace::clear(std::size_t robotCount, std::size_t objectCount) {
     kicks.clear();
     goals.clear();
     faults.clear();
+    transmissions.clear();
+    messages.clear();
 }
 
 void step(const Scenario& scenario, WorldState& state, StepBuffers& buffers, const Overrides& overrides,

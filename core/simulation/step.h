@@ -10,6 +10,7 @@
 #include "motion/motion_model.h"
 #include "physics/contact_task.h"
 #include "scenario/scenario.h"
+#include "sensing/radio_traffic.h"
 #include "world/world_state.h"
 
 namespace mrose {
@@ -56,6 +57,11 @@ struct StepTrace {
     std::vector<Kicked> kicks;
     std::vector<std::uint32_t> goals;  ///< in which a ball arrived
     std::vector<Fault> faults;
+    /// Messages that were due to those that it was the control instant of. Broadcasts that were out of range are among
+    /// them only up to so many times the range.
+    static constexpr double outOfRangeNoted = 2;
+    std::vector<Transmission> transmissions;
+    std::vector<SentMessage> messages;  ///< that they are of
     std::vector<bool> touchedObjects;
 
     void clear(std::size_t robotCount, std::size_t objectCount);

@@ -18,6 +18,7 @@ enum class NoiseChannel : std::uint32_t {
     trial,
     bearingBias,
     sensor,  ///< the part: which sensor of the robot, and which draw
+    radio,   ///< of the receiver; the part: the message's number, and its sender
 };
 
 constexpr std::uint32_t channelOf(NoiseChannel kind, std::uint32_t part = 0) {

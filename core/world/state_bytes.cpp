@@ -4,17 +4,23 @@
 
 #include "io/bytes.h"
 #include "world/first_state_version.h"
+#include "world/second_state_version.h"
 #include "world/state_fields.h"
 
 namespace mrose {
 namespace {
 
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 
+/// Of an element of an array.
 template <class T>
-constexpr std::size_t storedSize() {
+constexpr std::size_t storedSize(std::uint32_t of) {
     if constexpr (std::is_same_v<T, std::byte>)
         return 1;
+    else if (std::is_same_v<T, RobotState> && of == 1)
+        return firstVersionSize;
+    else if (std::is_same_v<T, SentMessage> && of == 2)
+        return sizeof(SecondVersionMessage);
     else
         return packedSize<T>();
 }
@@ -118,8 +124,7 @@ Expected<WorldState> parseState(std::string_view bytes, const std::string& name)
     k = 0;
     eachArray(state, found, [&](const auto& array) {
         using Element = ElementOf<decltype(array)>;
-        const std::size_t each =
-            std::is_same_v<Element, RobotState> && found == 1 ? firstVersionSize : storedSize<Element>();
+        const std::size_t each = storedSize<Element>(found);
         const std::uint64_t size = sizes[k++];
         fits = fits && size <= rest / each;
         if (fits) rest -= size * each;
@@ -131,12 +136,13 @@ Expected<WorldState> parseState(std::string_view bytes, const std::string& name)
     eachArray(state, found, [&](auto& array) {
         using Element = ElementOf<decltype(array)>;
         array.resize(sizes[k++]);
+        const std::string_view part = reader.take(array.size() * storedSize<Element>(found));
         if constexpr (std::is_same_v<Element, RobotState>) {
-            const std::size_t each = found == 1 ? firstVersionSize : storedSize<Element>();
-            sound = readRobots(reader.take(array.size() * each), state, found);
+            sound = readRobots(part, state, found);
             return;
         }
-        const std::string_view part = reader.take(array.size() * storedSize<Element>());
+        if constexpr (std::is_same_v<Element, SentMessage>)
+            if (found == 2) return readSecondVersion(part, state);
         if (!part.empty()) std::memcpy(array.data(), part.data(), part.size());
     });
     if (!sound) return fail(name, "holds a state with a flag that is neither 0 nor 1");

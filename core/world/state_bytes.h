@@ -13,12 +13,12 @@ namespace mrose {
 void appendStateBytes(const WorldState& state, std::string& bytes);
 std::string stateBytes(const WorldState& state);
 
-/// The version that bytes of a state say they are of, now 2; 0 where they say none.
+/// The version that bytes of a state say they are of, now 3; 0 where they say none.
 std::uint32_t stateVersion(std::string_view bytes);
 
 /// The state that bytes hold. Whether it is one of a given scenario is not asked here. `name` is said in errors. Bytes
-/// of version 1 (first_state_version.h) can still be read. Error: another version, sizes that do not add up to the
-/// bytes' number (found before anything is allocated), a flag that is neither 0 nor 1.
+/// of versions 1 and 2 (first_state_version.h, second_state_version.h) can still be read. Error: another version, sizes
+/// that do not add up to the bytes' number (found before anything is allocated), a flag that is neither 0 nor 1.
 Expected<WorldState> parseState(std::string_view bytes, const std::string& name);
 
 }  // namespace mrose

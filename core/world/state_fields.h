@@ -145,10 +145,14 @@ struct Fields<SentMessage> {
     template <class Visit>
     static constexpr void each(Visit&& visit) {
         visit("tick", &SentMessage::tick);
+        visit("number", &SentMessage::number);
         visit("from", &SentMessage::from);
         visit("to", &SentMessage::to);
         visit("kind", &SentMessage::kind);
         visit("size", &SentMessage::size);
+        visit("position", &SentMessage::position);
+        visit("latency", &SentMessage::latency);
+        visit("jitter", &SentMessage::jitter);
         visit("bytes", &SentMessage::bytes);
     }
 };

@@ -8,6 +8,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "world/second_state_version.h"
 #include "world/state_fields.h"
 
 namespace mrose {
@@ -38,9 +39,7 @@ std::uint64_t combined(const std::uint64_t (&parts)[n]) {
     return XXH3_64bits(parts, sizeof parts);
 }
 
-}  // namespace
-
-StateHash hashOf(const WorldState& state) {
+StateHash hashWith(std::uint64_t messages, const WorldState& state) {
     // Lengths are hashed along with the arrays, so that no two states look alike by what lies where.
     const std::uint64_t world[] = {static_cast<std::uint64_t>(state.tick),
                                    state.seed,
@@ -56,13 +55,22 @@ StateHash hashOf(const WorldState& state) {
                                    hashOfAll(state.objects),
                                    hashOfAll(state.contacts),
                                    hashOfAll(state.kicks),
-                                   hashOfAll(state.messages),
+                                   messages,
                                    hashOfAll(state.goals),
                                    hashOfAll(state.commands),
                                    hashOfAll(state.motion)};
     const std::uint64_t memories[] = {state.memory.size(),     state.sensing.size(),     state.past.size(),
                                       hashOfAll(state.memory), hashOfAll(state.sensing), hashOfAll(state.past)};
     return {combined(world), combined(memories)};
+}
+
+}  // namespace
+
+StateHash hashOf(const WorldState& state) { return hashWith(hashOfAll(state.messages), state); }
+
+StateHash secondVersionHash(const WorldState& state) {
+    const std::vector<SecondVersionMessage> messages = secondVersionMessages(state);
+    return hashWith(XXH3_64bits(messages.data(), messages.size() * sizeof(SecondVersionMessage)), state);
 }
 
 }  // namespace mrose

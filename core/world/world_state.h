@@ -9,6 +9,7 @@
 #include "geometry/point.h"
 #include "world/command_history.h"
 #include "world/memory.h"
+#include "world/radio_limits.h"
 
 namespace mrose {
 
@@ -64,12 +65,15 @@ struct PendingKick {
     double power = 0;  ///< 0 ... 1
 };
 
-/// What one robot told another, or all (noBody), and who is yet to receive it.
+/// What one robot told another, or all (noBody), and what is yet to be received.
 struct SentMessage {
-    std::int64_t tick = 0;  ///< when
+    std::int64_t tick = 0;     ///< when
+    std::uint64_t number = 0;  ///< among those that it sent then
     std::uint32_t from = 0, to = noBody;
     std::uint32_t kind = 0, size = 0;
-    std::array<std::byte, 64> bytes{};
+    Point position;                       ///< m: where the sender was
+    Nanoseconds latency = 0, jitter = 0;  ///< of the radio that it was sent by
+    std::array<std::byte, mostMessageBytes> bytes{};
 };
 
 /// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: from a copy one
@@ -81,7 +85,7 @@ struct WorldState {
     std::vector<ObjectState> objects;      ///< the ball first, where there is one
     std::vector<ContactImpulse> contacts;  ///< of the last tick, in the order of their keys
     std::vector<PendingKick> kicks;        ///< in the order in which they were commanded
-    std::vector<SentMessage> messages;     ///< of the last control periods, in the order in which they were sent
+    std::vector<SentMessage> messages;     ///< that may be on their way, in the order in which they were sent
     std::vector<std::int32_t> goals;       ///< balls so far in each of the environment's goals
     std::vector<StampedCommand> commands;  ///< of all robots; Scenario::layout says whose are where
     std::vector<std::byte> motion;         ///< memory of all motion models, likewise

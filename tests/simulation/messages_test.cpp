@@ -174,7 +174,7 @@ TEST(Messages, ThatAreTooLargeAreAFault) {
         SmallWorld().robot(discRobot(0.2), {}, std::make_shared<const Shouter>(), ideal()).scenario();
     WorldState state = scenario.initialState();
     StepTrace trace;
-    EXPECT_EQ(faultOf(scenario, trace, state), "its controller sent a message that is too large");
+    EXPECT_EQ(faultOf(scenario, trace, state), "its controller sent a message of 129 bytes; the radio carries 128");
     EXPECT_TRUE(trace.robots[0].decision.messages.empty()) << "it is recorded";
     EXPECT_EQ(state.robots[0].velocity_B.x, 0);
 }

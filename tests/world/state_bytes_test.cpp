@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "world/arbitrary_state.h"
+#include "world/second_state_version.h"
 #include "world/state_difference.h"
 #include "world/state_hash.h"
 
@@ -53,10 +54,54 @@ TEST(StateBytes, SizesThatNoMemoryHoldsAreErrorsBeforeAllocation) {
         }
 }
 
+/// Bytes as version 2 had them, by its description: messages of 64 bytes, without where they were sent.
+std::string secondVersionBytes(const WorldState& state) {
+    WorldState without = state;
+    without.messages.clear();
+    std::string bytes = stateBytes(without);
+    bytes[0] = 2;
+    const std::uint64_t count = state.messages.size();
+    std::memcpy(bytes.data() + 4 + 8 * 4, &count, sizeof count);
+    std::string messages;
+    const auto append = [&](const auto& number) {
+        messages.append(reinterpret_cast<const char*>(&number), sizeof number);
+    };
+    for (const SentMessage& m : state.messages) {
+        append(m.tick);
+        for (const std::uint32_t part : {m.from, m.to, m.kind, m.size}) append(part);
+        messages.append(reinterpret_cast<const char*>(m.bytes.data()), 64);
+    }
+    constexpr std::size_t perRobot = sizeof(RobotState) - 3;
+    const std::size_t before =
+        4 + 8 * 11 + 16 + state.robots.size() * perRobot + state.objects.size() * sizeof(ObjectState) +
+        state.contacts.size() * sizeof(ContactImpulse) + state.kicks.size() * sizeof(PendingKick);
+    return bytes.insert(before, messages);
+}
+
+TEST(StateBytes, OfVersion2CanBeRead) {
+    WorldState state = arbitraryState(4);
+    state.messages.resize(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        SentMessage& m = state.messages[i];
+        m = {40, i / 2, static_cast<std::uint32_t>(1 + i % 2), 2, 7, 64, position(state.robots[1 + i % 2].pose), 0,
+             0,  {}};
+        std::fill_n(m.bytes.begin(), 64, std::byte{static_cast<unsigned char>(i + 1)});
+    }
+    const auto back = parseState(secondVersionBytes(state), "state");
+    ASSERT_TRUE(back) << back.error().message();
+    EXPECT_FALSE(firstDifference(state, *back)) << firstDifference(state, *back)->message();
+    EXPECT_FALSE(parseState(secondVersionBytes(state) + 'x', "state"));
+    // Without messages the hash is the one of then.
+    EXPECT_NE(secondVersionHash(state).world, hashOf(state).world);
+    EXPECT_EQ(secondVersionHash(state).memories, hashOf(state).memories);
+    state.messages.clear();
+    EXPECT_EQ(secondVersionHash(state), hashOf(state));
+}
+
 TEST(StateBytes, OtherVersionsAndFlagsAreErrors) {
     std::string bytes = stateBytes(arbitraryState(8));
     bytes[0] = 7;
-    EXPECT_EQ(parseState(bytes, "a.mcap").error().message(), "a.mcap: holds a state of version 7; expected at most 2");
+    EXPECT_EQ(parseState(bytes, "a.mcap").error().message(), "a.mcap: holds a state of version 7; expected at most 3");
 
     WorldState state = arbitraryState(9, 1);
     state.robots[0].pushed = false;
