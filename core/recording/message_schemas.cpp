@@ -138,6 +138,18 @@ std::string logSchema() {
                             ',' + properties("message,name,file", text) + ',' + property("line", count));
 }
 
+std::string radioSchema() {
+    const std::string message = properties("from,to", text) + ',' + properties("kind,size", count) + ',' +
+                                property("bytes", text) + ',' + property("sent_s", number);
+    return objectSchema("mrose.Radio",
+                        property("timestamp", time("time")) + ',' +
+                            property("sent", arraySchema(objectSchema("mrose.SentMessage", message))) + ',' +
+                            property("due", arraySchema(objectSchema("mrose.DueMessage",
+                                                                     message + ',' + property("outcome", text) + ',' +
+                                                                         properties("arrival_ms,late_ms", number)))) +
+                            ',' + property("left_out", count));
+}
+
 std::string bodiesSchema(std::span<const std::string> robots, std::span<const std::string> objects) {
     std::string all = bodies("mrose.Robot", robots, true);
     if (!robots.empty() && !objects.empty()) all += ',';

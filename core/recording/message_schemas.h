@@ -11,6 +11,7 @@ namespace mrose {
 std::string frameTransformsSchema();  ///< foxglove.FrameTransforms
 std::string sceneUpdateSchema();      ///< foxglove.SceneUpdate
 std::string logSchema();              ///< foxglove.Log
+std::string radioSchema();            ///< mrose.Radio
 
 /// An object of numbers for each body; `names` (body_names.h) of robots and of objects.
 std::string bodiesSchema(std::span<const std::string> robots, std::span<const std::string> objects);

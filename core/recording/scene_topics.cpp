@@ -22,6 +22,7 @@ SceneTopics::Schemas SceneTopics::addSchemas(mcap::Writer& writer, const Scenari
     schemas.transforms = add("foxglove.FrameTransforms", frameTransformsSchema());
     schemas.scene = add("foxglove.SceneUpdate", sceneUpdateSchema());
     schemas.log = add("foxglove.Log", logSchema());
+    schemas.radio = add("mrose.Radio", radioSchema());
     return addSchemas(writer, scenario, schemas);
 }
 
@@ -47,6 +48,7 @@ SceneTopics::SceneTopics(mcap::Writer& writer, const Schemas& schemas, const Sce
     bodies_ = add(schemas.bodies, "bodies");
     contacts_ = add(schemas.scene, "contacts");
     log_ = add(schemas.log, "log");
+    radio_ = add(schemas.radio, "radio");
     sampleTicks_ = std::max<std::int64_t>(samplePeriod / scenario.scene().tickLength, 1);
 }
 
@@ -62,6 +64,8 @@ void SceneTopics::add(mcap::Writer& writer, const WorldState& after, const StepT
     const Nanoseconds time = scenario_.scene().timeOf(after.tick);
     for (const std::string& message : logMessages(scenario_, trace, names_, time))
         writer.addMessage(log_, time, message);
+    if (const std::string message = radioMessage(scenario_.scene(), after, trace, names_); !message.empty())
+        writer.addMessage(radio_, time, message);
     pressed_.insert(pressed_.end(), trace.contacts.begin(), trace.contacts.end());
     if (after.tick % sampleTicks_ == 0) writeSample(writer, after);
 }

@@ -18,7 +18,7 @@ class SceneTopics {
 public:
     /// Once in a file.
     struct Schemas {
-        std::uint16_t transforms = 0, scene = 0, log = 0, bodies = 0;
+        std::uint16_t transforms = 0, scene = 0, log = 0, bodies = 0, radio = 0;
     };
     static Schemas addSchemas(mcap::Writer& writer, const Scenario& scenario);
     /// Those of a branch with other bodies.
@@ -36,7 +36,7 @@ private:
 
     const Scenario& scenario_;
     std::vector<std::string> names_, frames_;
-    std::uint16_t transforms_ = 0, scene_ = 0, log_ = 0, bodies_ = 0, contacts_ = 0;
+    std::uint16_t transforms_ = 0, scene_ = 0, log_ = 0, bodies_ = 0, contacts_ = 0, radio_ = 0;
     std::int64_t sampleTicks_ = 1;
     std::vector<ContactReport> pressed_;  ///< since the last sample
     bool showsContacts_ = false;          ///< the last sample had some

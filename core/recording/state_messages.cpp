@@ -73,6 +73,35 @@ std::string kickText(const Scenario& scenario, const StepTrace::Kicked& kick, st
     return text + " m/s";
 }
 
+/// From whom to whom, what and when, without the end.
+void appendRadioMessage(std::string& json, const SentMessage& message, const std::string& to, Nanoseconds sent,
+                        std::span<const std::string> names) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    json += json.back() == '[' ? "{\"from\":" : ",{\"from\":";
+    appendQuoted(json, names[message.from]);
+    json += ",\"to\":";
+    appendQuoted(json, to);
+    json += ",\"kind\":" + std::to_string(message.kind) + ",\"size\":" + std::to_string(message.size) + ",\"bytes\":\"";
+    for (std::size_t i = 0; i < message.size; ++i) {
+        json += digits[std::to_integer<std::size_t>(message.bytes[i] >> 4)];
+        json += digits[std::to_integer<std::size_t>(message.bytes[i] & std::byte{15})];
+    }
+    json += '"';
+    appendField(json, ",\"sent_s\":", toSeconds(sent));
+}
+
+const char* outcomeText(Transmission::Outcome outcome) {
+    switch (outcome) {
+        case Transmission::Outcome::received:
+            return "received";
+        case Transmission::Outcome::lost:
+            return "lost";
+        case Transmission::Outcome::outOfRange:
+            return "out of range";
+    }
+    return "";
+}
+
 }  // namespace
 
 const std::vector<const Quantity*>& sampledQuantities(bool robot) {
@@ -159,6 +188,33 @@ std::string contactsMessage(const Scenario& scenario, std::span<const SummedCont
            R"(,"frame_id":"world","id":"contacts","lifetime":{"sec":0,"nsec":0},"frame_locked":true,"metadata":[)" +
            metadata + R"(],"arrows":[],"cubes":[],"spheres":[)" + spheres +
            R"(],"cylinders":[],"lines":[],"triangles":[],"texts":[],"models":[]}]})";
+}
+
+std::string radioMessage(const Scene& scene, const WorldState& after, const StepTrace& trace,
+                         std::span<const std::string> names) {
+    const std::int64_t tick = after.tick - 1;
+    const bool sent = !after.messages.empty() && after.messages.back().tick == tick;
+    if (!sent && trace.transmissions.empty()) return {};
+    const Nanoseconds now = scene.timeOf(tick);
+    std::string json = "{\"timestamp\":" + stampOf(scene.timeOf(after.tick)) + ",\"sent\":[";
+    for (const SentMessage& message : after.messages) {
+        if (message.tick != tick) continue;
+        appendRadioMessage(json, message, message.to == noBody ? "all" : names[message.to], now, names);
+        json += '}';
+    }
+    json += "],\"due\":[";
+    const std::size_t listed = std::min(trace.transmissions.size(), mostTransmissions);
+    for (const Transmission& one : std::span(trace.transmissions).first(listed)) {
+        const SentMessage& message = trace.messages[one.message];
+        const Nanoseconds then = scene.timeOf(message.tick);
+        appendRadioMessage(json, message, names[one.to], then, names);
+        json += ",\"outcome\":\"";
+        json += outcomeText(one.outcome);
+        appendField(json, "\",\"arrival_ms\":", toSeconds(one.arrival - then) * 1e3, 1);
+        appendField(json, ",\"late_ms\":", toSeconds(now - then) * 1e3, 1);
+        json += '}';
+    }
+    return json + "],\"left_out\":" + std::to_string(trace.transmissions.size() - listed) + '}';
 }
 
 std::vector<std::string> logMessages(const Scenario& scenario, const StepTrace& trace,

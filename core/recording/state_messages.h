@@ -42,6 +42,12 @@ std::string bodiesMessage(const Scenario& scenario, const WorldState& state, std
 std::string contactsMessage(const Scenario& scenario, std::span<const SummedContact> contacts,
                             std::span<const std::string> names, Nanoseconds time);
 
+/// mrose.Radio: what was sent in a tick and what was due, with the bytes in hexadecimal digits; "" where nothing was.
+/// `after`: the state after it. Of more than `mostTransmissions` only so many are listed.
+std::string radioMessage(const Scene& scene, const WorldState& after, const StepTrace& trace,
+                         std::span<const std::string> names);
+constexpr std::size_t mostTransmissions = 1000;
+
 /// foxglove.Log, each for something of note in a tick: kicks, goals, faults, breaks.
 std::vector<std::string> logMessages(const Scenario& scenario, const StepTrace& trace,
                                      std::span<const std::string> names, Nanoseconds time);
