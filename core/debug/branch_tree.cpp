@@ -11,12 +11,14 @@
 namespace mrose {
 namespace {
 
-/// So many ticks before it, every robot has decided once, and kicks and readings that are still shown have happened.
+/// So many ticks before it, every robot has decided once, and kicks, messages and readings that are still shown have
+/// happened.
 std::int64_t ticksToLookBack(const Scenario& scenario) {
     const Scene& scene = scenario.scene();
     std::int64_t most = scene.ticksOf(kickShown);
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         most = std::max(most, scene.periodTicks(robot));
+        if (scenario.readsMessages(robot)) most = std::max(most, scene.ticksOf(RadioLog::kept));
         const auto sensors = scenario.sensors(robot);
         for (std::size_t k = 0; k < sensors.size(); ++k)
             if (scenario.wanted(robot, k) != 0)

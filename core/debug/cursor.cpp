@@ -42,6 +42,7 @@ void Cursor::note(const BranchRecord& record) {
     const std::int64_t oldest = tick() - scenario.scene().ticksOf(kickShown);
     std::erase_if(kicks_, [&](const SeenKick& seen) { return seen.tick < oldest; });
     for (const StepTrace::Kicked& kick : trace_.kicks) kicks_.push_back({tick(), kick});
+    radio_.add(scenario.scene(), at_.state, trace_);
 }
 
 /// Of robots that got another command: they have observed and updated their memory, and only their orders were
@@ -61,6 +62,7 @@ void Cursor::noteInsightsAtStart(const BranchRecord& record) {
 void Cursor::forgetNotes() {
     insights_.assign(at_.state.robots.size(), {});
     kicks_.clear();
+    radio_.clear();
     breakReason_.clear();
     hasTrace_ = false;
 }
@@ -72,6 +74,7 @@ FieldFrame Cursor::frame(std::shared_ptr<const Scenario> scenario) const {
     frame.insights = insights_;
     if (hasTrace_) frame.lastTick = trace_;
     for (const SeenKick& seen : kicks_) frame.kicks.push_back(seen.kick);
+    frame.radio = radio_;
     return frame;
 }
 

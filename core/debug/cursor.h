@@ -10,7 +10,8 @@
 
 namespace mrose {
 
-/// A place in a branch, and what the last ticks reported there: what robots observed and decided, kicks, contacts.
+/// A place in a branch, and what the last ticks reported there: what robots observed and decided, kicks, contacts,
+/// messages.
 class Cursor {
 public:
     Cursor(std::uint32_t branch, ReachedState at);
@@ -33,7 +34,7 @@ public:
     /// What each robot last saw and decided.
     const std::vector<RobotInsight>& insights() const { return insights_; }
 
-    /// State, insights, contacts and kicks; nothing of other ticks.
+    /// State, insights, contacts, kicks and messages; nothing of other ticks.
     FieldFrame frame(std::shared_ptr<const Scenario> scenario) const;
     /// The same for reading numbers, `reality` beside it if it is known; valid until the next tick.
     Moment moment(const Scenario& scenario, const Reality* reality) const;
@@ -54,6 +55,7 @@ private:
         StepTrace::Kicked kick;
     };
     std::vector<SeenKick> kicks_;
+    RadioLog radio_;
     std::string breakReason_;
 };
 

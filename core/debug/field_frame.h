@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/reality.h"
+#include "debug/radio_log.h"
 #include "debug/trails.h"
 #include "quantities/catalogue.h"
 
@@ -32,6 +33,7 @@ struct FieldFrame {
     std::vector<RobotInsight> insights;        ///< of each robot
     StepTrace lastTick;                        ///< of the tick that led here; empty at a beginning
     std::vector<StepTrace::Kicked> kicks;      ///< of the last moments
+    RadioLog radio;                            ///< likewise
     Trails trails;                             ///< up to here
     std::vector<std::vector<Pose>> predicted;  ///< of each robot, if all go on as commanded; may be empty
     Nanoseconds predictedStep = 0;             ///< between those

@@ -102,6 +102,32 @@ void addNotes(std::vector<Quantity>& all) {
                     +[](const Subject& s) { return notedPoint(s, &Point::y); }, false, notes<true>, true}});
 }
 
+/// Since the newest of those that were received at the last control instant was sent.
+double messageAge(const Subject& s) {
+    const Observation* const all = observation(s);
+    if (all == nullptr || all->messages().empty()) return unknownNumber;
+    Nanoseconds newest = all->messages().front().sent;
+    for (const ReceivedMessage& message : all->messages()) newest = std::max(newest, message.sent);
+    return toSeconds(s.at.now() - newest);
+}
+
+void addRadio(std::vector<Quantity>& all) {
+    addQuantities(all, "Radio", Quantity::Needs::control,
+                  {{"messages_received", count, "how many messages it got at its last control instant", Of::robot,
+                    +[](const Subject& s) {
+                        const Observation* const seen = observation(s);
+                        return seen != nullptr ? static_cast<double>(seen->messages().size()) : unknownNumber;
+                    }},
+                   {"messages_sent", count, "how many messages it sent at its last control instant", Of::robot,
+                    +[](const Subject& s) {
+                        const RobotInsight* const insight = insightOf(s);
+                        return insight != nullptr ? static_cast<double>(insight->decision.messages.size())
+                                                  : unknownNumber;
+                    }},
+                   {"message_age", seconds, "since the newest of the messages that it got then was sent", Of::robot,
+                    messageAge}});
+}
+
 double odometry(const Subject& subject, double Velocity::*part) {
     const Observation* const seen = observation(subject);
     return seen != nullptr ? seen->velocity().*part : unknownNumber;
@@ -134,6 +160,7 @@ void addControlQuantities(std::vector<Quantity>& all) {
          {"odometry_w", radiansPerSecond, "by odometry", Of::robot,
           +[](const Subject& s) { return odometry(s, &Velocity::w); }}});
     addSight(all);
+    addRadio(all);
     addNotes(all);
 }
 
