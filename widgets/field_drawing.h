@@ -92,6 +92,13 @@ QString readingReadout(const ViewTransform& view, const FieldFrame& frame, const
 constexpr double readingRadius = 3.4;  // pixels
 void drawReadingMark(const FieldCanvas& canvas, const QPointF& at, const QColor& colour, bool real,
                      double radius = readingRadius);
+/// The newest message from each robot to each other one that was due in the last moments; where one is selected, its
+/// own above the others. Of many robots the selected one's alone.
+std::vector<const RadioLog::Entry*> shownMessages(const FieldFrame& frame, const FieldFocus& focus);
+void drawRadio(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// How one of them looks: `end`: in pixels, where a message out of range ends.
+void drawMessage(const FieldCanvas& canvas, const QPointF& from, const QPointF& to, const QColor& colour, double width,
+                 Transmission::Outcome outcome, double end);
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawPredicted(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);

@@ -14,6 +14,7 @@ enum class FieldLayer {
     targets,
     sensors,
     readings,
+    radio,
     contacts,
     predicted,
     beliefs,
@@ -42,6 +43,10 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
     {FieldLayer::readings, "layer_readings", "Readings", "A",
      "What sensors reported last, from where they were: of all robots; without it of the selected one beside a real "
      "log",
+     false},
+    {FieldLayer::radio, "layer_radio", "Radio", "W",
+     "Messages of the last moments, from where they were sent to where they were received; crossed where they were "
+     "lost, and barred where the range ends",
      false},
     {FieldLayer::contacts, "layer_contacts", "Contacts", "C", "Where bodies press on one another, and how hard", true},
     {FieldLayer::predicted, "layer_predicted", "Predicted paths", "P", "The next seconds, if all go on as commanded",

@@ -46,6 +46,8 @@ bool draws(const FieldFrame& frame, const FieldLayers& layers, FieldLayer layer,
                 const auto reports = [](const SensorLook& look) { return look.eye && !look.subjects.empty(); };
                 return any(of.simulated, reports) || any(of.real, reports);
             });
+        case FieldLayer::radio:
+            return !shownMessages(frame, focus).empty();
         case FieldLayer::contacts:
             return !frame.lastTick.contacts.empty();
         case FieldLayer::predicted:

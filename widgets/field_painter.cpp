@@ -42,6 +42,7 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     if (layers_.has(FieldLayer::predicted)) drawPredicted(canvas_, frame, focus);
     const std::vector<RobotLooks> looks = shownLooks(frame, layers_, focus);
     drawRays(canvas_, frame, focus, looks);
+    if (layers_.has(FieldLayer::radio)) drawRadio(canvas_, frame, focus);
     drawBodies(canvas_, frame, layers_.has(FieldLayer::headings));
     if (models) drawModelRobots(canvas_, frame, layers_.has(FieldLayer::headings));
     if (real) drawRealRobots(canvas_, frame, layers_.has(FieldLayer::headings));

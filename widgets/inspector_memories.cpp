@@ -62,22 +62,6 @@ QString readingsText(std::span<const std::byte> bytes) {
         .arg(static_cast<qint64>(bits));
 }
 
-std::vector<InspectorRow> hexRows(std::span<const std::byte> memory, std::span<const std::byte> before) {
-    std::vector<InspectorRow> rows;
-    const std::size_t shown = std::min(memory.size(), mostHexBytes);
-    for (std::size_t begin = 0; begin < shown; begin += bytesInRow) {
-        const auto bytes = memory.subspan(begin, std::min(bytesInRow, memory.size() - begin));
-        InspectorRow row = RowWriter::text(QString::number(begin), hexText(bytes), readingsText(bytes));
-        row.wide = true;
-        row.notable = before.size() == memory.size() &&
-                      !std::equal(bytes.begin(), bytes.end(), before.begin() + static_cast<std::ptrdiff_t>(begin));
-        rows.push_back(std::move(row));
-    }
-    if (shown < memory.size())
-        rows.push_back(RowWriter::text(QObject::tr("more"), QObject::tr("%1 bytes").arg(memory.size() - shown)));
-    return rows;
-}
-
 InspectorRow seenRow(const RowWriter& write, std::uint32_t other) {
     InspectorRow row = asError(write.value(quantityNamed("seen_error", Quantity::Of::seenPair), other));
     row.id = row.name = qtText(write.frame.nameOf(other));
@@ -114,6 +98,22 @@ bool inSight(const RowWriter& write, std::size_t robot) {
 }
 
 }  // namespace
+
+std::vector<InspectorRow> hexRows(std::span<const std::byte> memory, std::span<const std::byte> before) {
+    std::vector<InspectorRow> rows;
+    const std::size_t shown = std::min(memory.size(), mostHexBytes);
+    for (std::size_t begin = 0; begin < shown; begin += bytesInRow) {
+        const auto bytes = memory.subspan(begin, std::min(bytesInRow, memory.size() - begin));
+        InspectorRow row = RowWriter::text(QString::number(begin), hexText(bytes), readingsText(bytes));
+        row.wide = true;
+        row.notable = before.size() == memory.size() &&
+                      !std::equal(bytes.begin(), bytes.end(), before.begin() + static_cast<std::ptrdiff_t>(begin));
+        rows.push_back(std::move(row));
+    }
+    if (shown < memory.size())
+        rows.push_back(RowWriter::text(QObject::tr("more"), QObject::tr("%1 bytes").arg(memory.size() - shown)));
+    return rows;
+}
 
 InspectorRow controllerRows(const RowWriter& write) {
     InspectorRow section = RowWriter::section(QObject::tr("Controller"));

@@ -224,6 +224,7 @@ std::vector<InspectorRow> inspectorRows(const FieldFrame& frame, std::size_t bod
     rows.push_back(predictionRows(write));
     rows.push_back(controllerRows(write));
     if (auto readings = readingRows(write)) rows.push_back(std::move(*readings));
+    rows.push_back(radioRows(write));
     rows.push_back(perceptionRows(write));
     rows.push_back(memoryRows(write, isOpen));
     return rows;

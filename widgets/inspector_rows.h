@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "debug/field_frame.h"
@@ -58,5 +59,9 @@ InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen);
 InspectorRow perceptionRows(const RowWriter& write);
 /// Of sensors beyond those that every robot has, beside the real robot's; nullopt: there are none.
 std::optional<InspectorRow> readingRows(const RowWriter& write);
+/// What it told others and was told.
+InspectorRow radioRows(const RowWriter& write);
+/// Eight bytes a row, in hexadecimal digits; notable those that were others in `before`, if that is as long.
+std::vector<InspectorRow> hexRows(std::span<const std::byte> bytes, std::span<const std::byte> before = {});
 
 }  // namespace mrose

@@ -65,6 +65,17 @@ void drawReadingSample(const FieldCanvas& canvas, const QRectF& box, const QColo
     }
 }
 
+/// A message that was received, and below it one that was lost.
+void drawRadioSample(const FieldCanvas& canvas, const QRectF& box, const QColor& colour) {
+    constexpr double apart = 3.6;
+    const QPolygonF line = across(box);
+    for (const bool lost : {false, true}) {
+        const QPointF off(0, lost ? apart : -apart);
+        drawMessage(canvas, line.front() + off, line.back() + off, colour, 1.4,
+                    lost ? Transmission::Outcome::lost : Transmission::Outcome::received, 0);
+    }
+}
+
 /// A field of view from the left end of the box to the right one.
 void drawSector(QPainter& painter, const QRectF& box) {
     constexpr double half = 16;  // degrees
@@ -113,6 +124,9 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
             break;
         case FieldLayer::readings:
             drawReadingSample(canvas, box, colour);
+            break;
+        case FieldLayer::radio:
+            drawRadioSample(canvas, box, colour);
             break;
         case FieldLayer::contacts:
             canvas.arrow(box.center(), across(box).front(), theme.contact, 3);
