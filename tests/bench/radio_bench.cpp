@@ -42,17 +42,17 @@ struct Cost {
     double received = 0;     ///< messages by a robot at an instant
 };
 
-Cost costOf(const Scenario& scenario) {
+Cost costOf(const Scenario& scenario, bool traced) {
     WorldState state = scenario.initialState();
     StepBuffers buffers;
+    StepTrace trace;
     for (int k = 0; k < 60; ++k) step(scenario, state, buffers);
     constexpr int ticks = 100;
     std::vector<double> times;
     for (int round = 0; round < 5; ++round)
         times.push_back(secondsOf([&] {
-            for (int k = 0; k < ticks; ++k) step(scenario, state, buffers);
+            for (int k = 0; k < ticks; ++k) step(scenario, state, buffers, {}, traced ? &trace : nullptr);
         }));
-    StepTrace trace;
     double received = 0, instants = 0;
     for (int k = 0; k < 5; ++k) {
         step(scenario, state, buffers, {}, &trace);
@@ -65,8 +65,9 @@ Cost costOf(const Scenario& scenario) {
     return {1e9 * median(times) / ticks / static_cast<double>(state.robots.size()), received / instants};
 }
 
-void line(const std::string& name, int robots, bool talks, const Radio& radio = {}, int teamOf = 0) {
-    const Cost cost = costOf(crowd(robots, talks, radio, teamOf));
+void line(const std::string& name, int robots, bool talks, const Radio& radio = {}, int teamOf = 0,
+          bool traced = false) {
+    const Cost cost = costOf(crowd(robots, talks, radio, teamOf), traced);
     std::printf("  %-52s %9.1f ns per robot and tick, %6.1f messages an instant\n", name.c_str(), cost.nanoseconds,
                 cost.received);
 }
@@ -85,10 +86,13 @@ int main() {
         line("all to all", robots, true);
         line("latency 200 ms, jitter 100 ms, loss", robots, true,
              {.latency = 200 * ms, .jitter = 100 * ms, .loss = 0.1});
+        line("all to all, traced", robots, true, {}, 0, true);
+        line("silent, traced", robots, false, {}, 0, true);
         if (robots == 8) continue;
         line("range 5 m", robots, true, {.range = 5});
         line("range 5 m, latency 200 ms, jitter 100 ms, loss", robots, true,
              {.latency = 200 * ms, .jitter = 100 * ms, .loss = 0.1, .range = 5});
+        line("range 5 m, traced", robots, true, {.range = 5}, 0, true);
         line("teams of 10", robots, true, {}, 10);
         line("teams of 10, latency 200 ms, jitter 100 ms, loss", robots, true,
              {.latency = 200 * ms, .jitter = 100 * ms, .loss = 0.1}, 10);
