@@ -52,7 +52,11 @@ void drawMessage(const FieldCanvas& canvas, const QPointF& from, const QPointF& 
     if (size < 1) return;
     const QPointF along = line / size, across(-along.y(), along.x());
     QPen solid = roundPen(colour, width), broken = roundPen(colour, width, Qt::CustomDashLine);
-    broken.setDashPattern({1.5, 3});
+    broken.setDashPattern({2.5, 2.5});
+    const auto dash = [&](const QPointF& until) {
+        canvas.painter.setPen(broken);  // a casing would fill the gaps
+        canvas.painter.drawLine(from, until);
+    };
     switch (outcome) {
         case Transmission::Outcome::received:
             canvas.casedLine(from, to - 2 * width * along, solid);
@@ -62,7 +66,7 @@ void drawMessage(const FieldCanvas& canvas, const QPointF& from, const QPointF& 
                 {to, to - 4 * width * along + 1.9 * width * across, to - 4 * width * along - 1.9 * width * across}));
             break;
         case Transmission::Outcome::lost: {
-            canvas.casedLine(from, to, broken);
+            dash(to);
             constexpr double arm = 4;
             const QPointF middle = from + 0.5 * line;
             for (const QPointF& way : {along + across, along - across})
@@ -72,7 +76,7 @@ void drawMessage(const FieldCanvas& canvas, const QPointF& from, const QPointF& 
         case Transmission::Outcome::outOfRange: {
             constexpr double arm = 5;
             const QPointF last = from + std::min(end, size) * along;
-            canvas.casedLine(from, last, broken);
+            dash(last);
             canvas.casedLine(last - arm * across, last + arm * across, solid);
             break;
         }
