@@ -10,7 +10,7 @@
 namespace mrose {
 namespace {
 
-constexpr int mostMessageRows = 12;
+constexpr int mostMessageRows = 6;
 
 /// Numbers of one kind without a gap; empty where these are none that anybody would send.
 template <class Number>

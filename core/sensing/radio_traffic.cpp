@@ -70,7 +70,7 @@ void RadioTraffic::arrangeByPlace(const Scene& scene, const WorldState& state) {
 void RadioTraffic::add(const Scene& scene, const WorldState& state, std::uint32_t message, std::uint32_t robot) {
     const SentMessage& m = state.messages[message];
     const std::int64_t last = state.robots[robot].lastControl, ticks = arrivalTicks(m.latency, scene.tickLength);
-    if (m.from == robot || m.tick + ticks > state.tick ||
+    if (m.from == robot ||
         m.tick + (m.jitter == 0 ? ticks : arrivalTicks(m.latency + m.jitter, scene.tickLength)) <= last)
         return;
     Transmission sent{message, robot, scene.timeOf(m.tick) + m.latency, position(state.robots[robot].pose)};
