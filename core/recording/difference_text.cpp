@@ -74,6 +74,8 @@ std::string placeText(const Scenario& scenario, const WorldState& state, const S
                 [&](std::size_t robot) { return scenario.sensorMemory(state, robot); }, state.robots.size());
         case Part::past:
             return "past pose of " + bodyText(scenario, difference.index % scenario.scene().bodyCount());
+        case Part::touch:
+            return named("touch", difference.index, "");
     }
     return "";
 }

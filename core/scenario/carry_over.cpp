@@ -34,6 +34,7 @@ public:
         carryMessages();
         carryGoals();
         carryPast();
+        carryTouches();
         return std::move(next_);
     }
 
@@ -186,6 +187,17 @@ private:
             for (std::size_t body = 0; body < bodies; ++body)
                 next_.past[static_cast<std::size_t>(slot) * bodies + body] =
                     origin_[body] ? from_.poseBefore(old_, *origin_[body], before) : Scenario::poseOf(next_, body);
+        }
+    }
+
+    void carryTouches() {
+        for (RobotTouch touch : old_.touches) {
+            if (!target_[touch.robot] || !to_.feelsTouches(*target_[touch.robot])) continue;
+            touch.robot = static_cast<std::uint32_t>(*target_[touch.robot]);
+            if (touch.other != noBody)
+                touch.other = target_[touch.other] ? static_cast<std::uint32_t>(*target_[touch.other]) : noBody;
+            touch.tick = tickOf(touch.tick);
+            next_.touches.push_back(touch);
         }
     }
 

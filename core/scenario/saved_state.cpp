@@ -248,6 +248,9 @@ WorldState restored(const SavedState& saved, const Scenario& scenario, std::uint
     for (std::size_t i = 0; i < saved.objects.size(); ++i)
         keep(saved.state.motion, motion, saved.objects[i].motion,
              scenario.motionMemory(state, saved.robots.size() + i));
+    std::erase_if(state.touches, [&](const RobotTouch& touch) {
+        return touch.robot < state.robots.size() && !scenario.feelsTouches(touch.robot);
+    });
     layOutPast(saved, scenario, state);
     moveToStarts(scenario.scene(), state);
     return state;

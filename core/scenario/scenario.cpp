@@ -42,6 +42,7 @@ void Scenario::layOutSensors() {
         for (const auto& sensor : sensors.all) {
             assert(sensor->gives().size() <= SensorView::mostReadings);
             sensors.memories.emplace_back(sensors.memorySize, sensor->memorySize());
+            sensors.feelsTouches = sensors.feelsTouches || sensor->feelsTouches();
             sensors.memorySize += paddedMemory(sensor->memorySize());
         }
     }
@@ -82,6 +83,10 @@ void Scenario::layOut() {
             const std::int64_t ticks =
                 sensor->exact() ? sensor->lookBack() / scene.tickLength + 2 : scene.ticksOf(sensor->lookBack());
             depth = std::max(depth, ticks + between);
+            if (!sensor->feelsTouches()) continue;
+            // A measurement looks back to the one before, and there is one at each control instant, or by its own
+            // clock.
+            touchDepth_ = std::max(touchDepth_, (model.period() + sensor->period()) / scene.tickLength + 2);
         }
         const auto alike = std::search(wanted_.begin(), wanted_.end(), wanted.begin(), wanted.end());
         slots.wanted = static_cast<std::uint32_t>(alike - wanted_.begin());

@@ -128,6 +128,9 @@ public:
     }
     const PastPoses& past() const { return past_; }
     std::int64_t pastDepth() const { return past_.depth(); }
+    /// For how many ticks WorldState::touches keeps those of robots that feel them; 0: there are none.
+    std::int64_t touchDepth() const { return touchDepth_; }
+    bool feelsTouches(std::size_t robot) const { return sensors_[slots_[robot].type].feelsTouches; }
     const Pose& poseBefore(const WorldState& state, std::size_t body, std::int64_t lag) const {
         return past_.poseBefore(state, body, lag);
     }
@@ -163,6 +166,7 @@ private:
     struct Sensors {
         std::vector<std::shared_ptr<const Sensor>> all;
         std::vector<std::pair<std::size_t, std::size_t>> memories;  ///< of each, first byte and size
+        bool feelsTouches = false;                                  ///< any of them
         std::size_t memorySize = 0;
     };
     void layOutSensors();
@@ -182,6 +186,7 @@ private:
     std::vector<std::uint32_t> wanted_;  ///< of a robot's sensors, once for all with the same
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
     PastPoses past_;
+    std::int64_t touchDepth_ = 0;
     bool objectsRemember_ = false;
 };
 

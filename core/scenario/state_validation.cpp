@@ -36,7 +36,7 @@ bool soundNumbers(const WorldState& state) {
             return false;
     return allWithin(farthest, state.objects) && allWithin(farthest, state.contacts) &&
            allWithin(farthest, state.kicks) && allWithin(farthest, state.past) && allWithin(farthest, state.messages) &&
-           allWithin(largest, state.commands);
+           allWithin(farthest, state.touches) && allWithin(largest, state.commands);
 }
 
 /// Of a message.
@@ -112,6 +112,9 @@ std::string validate(const Scenario& scenario, const WorldState& state) {
             message.size > message.bytes.size() || message.tick > state.tick || message.tick < 0 ||
             message.number >= mostMessages || !soundDelay(message.latency) || !soundDelay(message.jitter))
             return "a message that is broken, or of a robot that is not there";
+    for (const RobotTouch& touch : state.touches)
+        if (touch.robot >= state.robots.size() || touch.tick > state.tick || !soundInstant(touch.tick))
+            return "a touch of the future, or of a robot that is not there";
     const auto there = [&](std::uint32_t body) { return body < bodies || body == noBody; };
     for (const ContactImpulse& contact : state.contacts)
         if (!there(contact.bodyA) || !there(contact.bodyB)) return "a contact of a body that is not there";

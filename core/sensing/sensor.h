@@ -56,6 +56,9 @@ public:
     /// How far back it reads poses, from when a reading arrives.
     virtual Nanoseconds lookBack() const { return latency(); }
 
+    /// Whether it reads WorldState::touches, back to the measurement before.
+    virtual bool feelsTouches() const { return false; }
+
     /// How wide and far it looks for bodies, constant; nullptr: it looks for none.
     virtual const BodySight* sight() const { return nullptr; }
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sensing/body_sight.h"
+#include "sensing/bumpers.h"
 #include "sensing/infrared_ring.h"
 #include "sensing/laser.h"
 #include "sensing/odometry.h"
@@ -11,6 +12,7 @@
 #include "sensing/sensor_keys.h"
 #include "sensing/sensor_view.h"
 #include "sensing/sonar_ring.h"
+#include "sensing/wheel_encoders.h"
 
 namespace mrose {
 
@@ -56,10 +58,15 @@ SensorPointer readOdometry(TomlTable& table, const SensorTraits& traits, const S
                                             traits);
 }
 
-constexpr SensorKind kinds[] = {{"camera", readCamera},        {"localisation", readLocaliser},
-                                {"odometry", readOdometry},    {"learned", readLearnedSensor},
-                                {"laser", readLaser},          {"sonar", readSonarRing},
-                                {"infrared", readInfraredRing}};
+constexpr SensorKind kinds[] = {{"camera", readCamera},
+                                {"localisation", readLocaliser},
+                                {"odometry", readOdometry},
+                                {"learned", readLearnedSensor},
+                                {"laser", readLaser},
+                                {"sonar", readSonarRing},
+                                {"infrared", readInfraredRing},
+                                {"bumpers", readBumpers},
+                                {"wheel_encoders", readWheelEncoders}};
 
 /// What every robot's sensors are called, and what a controller and a motion model have of their own.
 constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,

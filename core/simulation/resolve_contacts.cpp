@@ -121,7 +121,7 @@ ContactTick contactTick(const Scenario& scenario, const WorldState& state) {
 
 /// Solves the clusters of buffers.pairs. What contact sent farther than the search for touches took into account is in
 /// buffers.outranged then.
-void solveClusters(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
+void solveClusters(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers, bool reported) {
     const ContactTick tick = contactTick(scenario, state);
     buffers.outranged.clear();
     for (std::size_t first = 0, last = 0; first < buffers.pairs.size(); first = last) {
@@ -130,7 +130,7 @@ void solveClusters(const Scenario& scenario, const WorldState& state, StepBuffer
         const std::size_t count = buffers.contacts.bodies.size();
         buffers.outcomes.resize(count);
         buffers.solver.solve(tick, buffers.contacts, state.contacts, buffers.impulses, buffers.outcomes,
-                             trace != nullptr ? &trace->contacts : nullptr);
+                             reported ? &buffers.reports : nullptr);
         for (std::size_t i = 0; i < count; ++i) {
             const ContactOutcome& outcome = buffers.outcomes[i];
             if (!outcome.moved) continue;
@@ -145,17 +145,16 @@ void solveClusters(const Scenario& scenario, const WorldState& state, StepBuffer
 }
 
 /// Takes back what was found for the bodies of the clusters that are solved again.
-void forgetClusters(StepBuffers::Content& buffers, const std::vector<bool>& solves, StepTrace* trace) {
+void forgetClusters(StepBuffers::Content& buffers, const std::vector<bool>& solves) {
     const auto again = [&](std::uint32_t body) { return solves[rootOf(buffers.cluster, body)]; };
     std::erase_if(buffers.moved, [&](const auto& moved) { return again(moved.body); });
     std::erase_if(buffers.impulses, [&](const ContactImpulse& impulse) { return again(impulse.bodyA); });
-    if (trace != nullptr)
-        std::erase_if(trace->contacts, [&](const ContactReport& report) { return again(report.bodyA); });
+    std::erase_if(buffers.reports, [&](const ContactReport& report) { return again(report.bodyA); });
 }
 
 /// Clusters in which no pair meets need no solver. Where contact sends a body farther than the search knew, whom it may
 /// reach there is looked for; if there is somebody new, its cluster, which is larger now, is solved again.
-void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers, StepTrace* trace) {
+void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Content& buffers, bool reported) {
     findClusters(buffers);
     std::vector<bool>& solves = buffers.solves;
     solves.assign(buffers.swept.size(), false);
@@ -164,7 +163,7 @@ void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Conte
     for (const TouchSearch::Pair& pair : buffers.search.obstaclePairs())
         if (pair.meet) solves[rootOf(buffers.cluster, pair.a)] = true;
     sortByCluster(buffers, solves);
-    solveClusters(scenario, state, buffers, trace);
+    solveClusters(scenario, state, buffers, reported);
     while (!buffers.outranged.empty()) {
         const std::vector<std::uint32_t> met =
             buffers.search.widen(buffers.swept, buffers.outranged, scenario.obstacles());
@@ -172,9 +171,9 @@ void solve(const Scenario& scenario, const WorldState& state, StepBuffers::Conte
         findClusters(buffers);
         solves.assign(buffers.swept.size(), false);
         for (const std::uint32_t body : met) solves[rootOf(buffers.cluster, body)] = true;
-        forgetClusters(buffers, solves, trace);
+        forgetClusters(buffers, solves);
         sortByCluster(buffers, solves);
-        solveClusters(scenario, state, buffers, trace);
+        solveClusters(scenario, state, buffers, reported);
     }
     std::sort(buffers.impulses.begin(), buffers.impulses.end(), keyLess);
 }
@@ -235,6 +234,18 @@ void commit(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
     }
 }
 
+void rememberTouches(const Scenario& scenario, WorldState& state, std::span<const ContactReport> reports) {
+    const std::int64_t now = state.tick + 1;
+    std::erase_if(state.touches, [&](const RobotTouch& touch) { return touch.tick <= now - scenario.touchDepth(); });
+    for (const ContactReport& report : reports)
+        for (const auto& [robot, other] :
+             {std::pair(report.bodyA, report.bodyB), std::pair(report.bodyB, report.bodyA)}) {
+            if (robot >= state.robots.size() || !scenario.feelsTouches(robot)) continue;
+            state.touches.push_back(
+                {now, robot, other, Placement(state.robots[robot].pose).placeBack(report.position)});
+        }
+}
+
 }  // namespace
 
 void planFreeMotion(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers) {
@@ -263,10 +274,13 @@ void resolveContacts(const Scenario& scenario, WorldState& state, StepBuffers::C
     buffers.search.find(buffers.swept, scenario.obstacles(), state.contacts);
     buffers.moved.clear();
     buffers.impulses.clear();
+    buffers.reports.clear();
     if (!buffers.search.bodyPairs().empty() || !buffers.search.obstaclePairs().empty())
-        solve(scenario, state, buffers, trace);
+        solve(scenario, state, buffers, trace != nullptr || scenario.touchDepth() > 0);
     std::swap(state.contacts, buffers.impulses);
     commit(scenario, state, buffers, trace);
+    if (scenario.touchDepth() > 0) rememberTouches(scenario, state, buffers.reports);
+    if (trace != nullptr) trace->contacts = buffers.reports;
 }
 
 void countGoals(const Scenario& scenario, WorldState& state, const StepBuffers::Content& buffers, StepTrace* trace) {

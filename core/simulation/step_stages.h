@@ -39,6 +39,7 @@ struct StepBuffers::Content {
     std::vector<Moved> moved;              ///< whom contact takes off their plan
     std::vector<std::uint32_t> outranged;  ///< bodies that it sends farther than the search knew
     std::vector<ContactImpulse> impulses;
+    std::vector<ContactReport> reports;  ///< where somebody asks for them
 };
 
 // The stages of a tick, in their order; step() says what they do together.

@@ -26,7 +26,7 @@ constexpr std::size_t storedSize(std::uint32_t of) {
 }
 
 /// All arrays of a state, in the order in which they are stored; the first version had no messages, and no memory of
-/// motion models and sensors by itself.
+/// motion models and sensors by itself, the second no touches.
 template <class State, class Visit>
 void eachArray(State& state, std::uint32_t of, Visit&& visit) {
     visit(state.robots);
@@ -40,8 +40,9 @@ void eachArray(State& state, std::uint32_t of, Visit&& visit) {
     visit(state.memory);
     if (of > 1) visit(state.sensing);
     visit(state.past);
+    if (of > 2) visit(state.touches);
 }
-constexpr std::size_t arrayCount = 11;
+constexpr std::size_t arrayCount = 12;
 
 template <class Vector>
 using ElementOf = typename std::remove_cvref_t<Vector>::value_type;

@@ -105,15 +105,16 @@ std::optional<StateDifference> firstDifference(const WorldState& a, const WorldS
     compare.bytes(Part::memory, "bytes of controllers", a.memory, b.memory);
     compare.bytes(Part::sensing, "bytes of sensors", a.sensing, b.sensing);
     compare.elements(Part::past, "past poses", a.past, b.past);
+    compare.elements(Part::touch, "touches", a.touches, b.touches);
     return compare.result();
 }
 
 bool StateDifference::ofBytes() const { return part == Part::motion || part == Part::memory || part == Part::sensing; }
 
 bool StateDifference::ofMemories() const {
-    return part == Part::memory || part == Part::sensing || part == Part::past ||
-           (part == Part::state &&
-            (field == "bytes of controllers" || field == "bytes of sensors" || field == "past poses"));
+    return part == Part::memory || part == Part::sensing || part == Part::past || part == Part::touch ||
+           (part == Part::state && (field == "bytes of controllers" || field == "bytes of sensors" ||
+                                    field == "past poses" || field == "touches"));
 }
 
 std::string StateDifference::message() const {

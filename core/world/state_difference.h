@@ -10,7 +10,21 @@ namespace mrose {
 
 /// Where two states differ. Bits count: 0 and -0 differ, a nan equals itself.
 struct StateDifference {
-    enum class Part { state, robot, object, contact, kick, message, goal, command, motion, memory, sensing, past };
+    enum class Part {
+        state,
+        robot,
+        object,
+        contact,
+        kick,
+        message,
+        goal,
+        command,
+        motion,
+        memory,
+        sensing,
+        past,
+        touch
+    };
     Part part = Part::state;
     std::size_t index = 0;  ///< of the robot, object ..., from 0; of the byte in WorldState::motion, memory or sensing
     std::string field;      ///< "pose.x"; "robots" where their numbers differ; may be empty

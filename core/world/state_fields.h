@@ -157,6 +157,17 @@ struct Fields<SentMessage> {
     }
 };
 
+template <>
+struct Fields<RobotTouch> {
+    template <class Visit>
+    static constexpr void each(Visit&& visit) {
+        visit("tick", &RobotTouch::tick);
+        visit("robot", &RobotTouch::robot);
+        visit("other", &RobotTouch::other);
+        visit("place_B", &RobotTouch::place_B);
+    }
+};
+
 template <class T>
 struct IsArray : std::false_type {};
 template <class T, std::size_t n>
@@ -207,7 +218,8 @@ template <class T>
 constexpr bool packed = std::is_trivially_copyable_v<T>&& packedSize<T>() == sizeof(T);
 
 static_assert(packed<ObjectState> && packed<ContactImpulse> && packed<PendingKick> && packed<SentMessage> &&
-              packed<StampedCommand> && packed<Pose> && packed<std::int32_t> && packed<MotionSegment>);
+              packed<StampedCommand> && packed<Pose> && packed<RobotTouch> && packed<std::int32_t> &&
+              packed<MotionSegment>);
 // This one has padding: 3 bytes after `pushed`.
 static_assert(packedSize<RobotState>() + 3 == sizeof(RobotState));
 

@@ -61,7 +61,10 @@ StateHash hashWith(std::uint64_t messages, const WorldState& state) {
                                    hashOfAll(state.motion)};
     const std::uint64_t memories[] = {state.memory.size(),     state.sensing.size(),     state.past.size(),
                                       hashOfAll(state.memory), hashOfAll(state.sensing), hashOfAll(state.past)};
-    return {combined(world), combined(memories)};
+    const std::uint64_t all = combined(memories);
+    if (state.touches.empty()) return {combined(world), all};  // as before there were any
+    const std::uint64_t touching[] = {all, state.touches.size(), hashOfAll(state.touches)};
+    return {combined(world), combined(touching)};
 }
 
 }  // namespace

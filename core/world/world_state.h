@@ -76,6 +76,13 @@ struct SentMessage {
     std::array<std::byte, mostMessageBytes> bytes{};
 };
 
+/// That something touched a robot in a tick. Kept for as long as its sensors ask for it, where they feel touches.
+struct RobotTouch {
+    std::int64_t tick = 0;  ///< at whose beginning: what happens in a tick is of its end
+    std::uint32_t robot = 0, other = noBody;
+    Point place_B;  ///< m, in the robot's frame
+};
+
 /// Everything that advances in time. A tick is a function of it and of the scenario, which is constant: from a copy one
 /// can go back to it, to the last bit.
 struct WorldState {
@@ -92,6 +99,7 @@ struct WorldState {
     std::vector<std::byte> memory;         ///< of all controllers, likewise
     std::vector<std::byte> sensing;        ///< memory of all sensors, likewise
     std::vector<Pose> past;                ///< of all bodies in the last ticks, for sensors that are late; likewise
+    std::vector<RobotTouch> touches;  ///< of the last ticks, in the order of their ticks, for sensors that feel them
 };
 
 }  // namespace mrose

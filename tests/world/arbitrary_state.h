@@ -39,6 +39,7 @@ inline WorldState arbitraryState(std::uint64_t seed, std::size_t robots = 3) {
     fillAll(state.memory, 33);
     fillAll(state.sensing, 19);
     fillAll(state.past, 10);
+    fillAll(state.touches, 3);
     state.objects[0].pose.x = 0.0;
     state.objects[0].pose.y = -0.0;
     return state;

@@ -68,6 +68,7 @@ TEST(StateHash, EveryByteOfEverythingElseCounts) {
     for (std::byte& byte : state.memory) expectMemories(state, byte);
     for (std::byte& byte : state.sensing) expectMemories(state, byte);
     for (Pose& pose : state.past) expectMemories(state, pose);
+    for (RobotTouch& touch : state.touches) expectMemories(state, touch);
 }
 
 TEST(StateHash, SignOfZeroCounts) {
@@ -111,6 +112,11 @@ TEST(StateHash, LengthsCount) {
     add();
     EXPECT_EQ(worlds.size(), 4u);
     EXPECT_EQ(memories.size(), 3u);
+    state.past.clear();
+    state.touches.resize(1);
+    add();
+    EXPECT_EQ(worlds.size(), 4u);
+    EXPECT_EQ(memories.size(), 4u);
 }
 
 TEST(StateHash, ManyRobotsAllCount) {

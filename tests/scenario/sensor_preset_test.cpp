@@ -1,0 +1,133 @@
+// Sensors of robot files, with presets and without: what is read, and what is refused.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scenario/description_file.h"
+#include "scenario/descriptions.h"
+#include "sensing/sensor.h"
+#include "support/places.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string presetHead = "format = \"mrose sensor\"\nversion = 1\nname = \"Scanner\"\nsource = \"none\"\n";
+const std::string scanner = presetHead + "kind = \"laser\"\nbeams = 5\nstart_deg = -20\nend_deg = 20\nrange_m = 4\n";
+
+std::map<std::string, std::string> sensingWorld(const std::string& sensor, const std::string& preset = scanner) {
+    auto texts = changedWorld("r.toml", "[kinematics]", "[[sensor]]\nname = \"s\"\n" + sensor + "[kinematics]");
+    texts["scanner.toml"] = preset;
+    return texts;
+}
+
+SensorPointer sensorOf(const std::string& sensor, const std::string& preset = scanner) {
+    const auto loaded = loadFrom(sensingWorld(sensor, preset));
+    EXPECT_TRUE(loaded) << loaded.error().message();
+    return loaded ? Scenario(loaded->parts).sensors(0)[3] : nullptr;
+}
+
+std::string errorOf(const std::string& sensor, const std::string& preset = scanner) {
+    const auto loaded = loadFrom(sensingWorld(sensor, preset));
+    return loaded ? "" : loaded.error().message();
+}
+
+TEST(SensorPreset, ItsKeysHoldWhereTheRobotFileHasNone) {
+    const SensorPointer plain = sensorOf("preset = \"scanner.toml\"\n");
+    ASSERT_TRUE(plain);
+    EXPECT_EQ(plain->name(), "s");
+    ASSERT_EQ(plain->elements().size(), 5u);
+    EXPECT_EQ(plain->elements()[0].range, 4);
+    const SensorPointer other =
+        sensorOf("preset = \"scanner.toml\"\nbeams = 9\nposition_m = [0.1, 0]\nperiod_s = 0.3\n");
+    ASSERT_TRUE(other);
+    ASSERT_EQ(other->elements().size(), 9u);
+    EXPECT_EQ(other->elements()[8].mount.x, 0.1);
+    EXPECT_NEAR(other->elements()[8].mount.heading, 20 * std::numbers::pi / 180, 1e-12);
+    EXPECT_EQ(other->period(), 300'000'000);
+}
+
+/// A recording holds the scenario's value, without any file.
+TEST(SensorPreset, IsInTheScenariosValue) {
+    const auto loaded = loadFrom(sensingWorld("preset = \"scanner.toml\"\n"));
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    EXPECT_THAT(loaded->value.bytes(), HasSubstr("start_deg"));
+    const auto again = loadScenario(loaded->value);
+    ASSERT_TRUE(again) << again.error().message();
+    EXPECT_EQ(Scenario(again->parts).sensors(0)[3]->elements().size(), 5u);
+}
+
+TEST(SensorPreset, AMistakeInItIsToldAsItsOwn) {
+    const std::string named = "preset = \"scanner.toml\"\n";
+    EXPECT_THAT(errorOf(named, scanner + "beam = 3\n"), HasSubstr("scanner.toml:10:8: beam: is not a known key"));
+    EXPECT_THAT(errorOf(named, presetHead), HasSubstr("scanner.toml:1:1: kind: is missing"));
+    EXPECT_THAT(errorOf(named, "format = \"mrose sensor\"\nversion = 1\nname = \"a\"\nkind = \"laser\"\n"),
+                HasSubstr("scanner.toml:1:1: source: is missing"));
+    EXPECT_THAT(errorOf(named, scanner + "preset = \"other.toml\"\n"), HasSubstr("preset: is not a known key"));
+    EXPECT_THAT(errorOf("preset = \"none.toml\"\n"), HasSubstr("sensor[\"s\"].preset: \"none.toml\" was not found"));
+    EXPECT_THAT(errorOf("preset = \"disc.toml\"\n"), HasSubstr("disc.toml:1:10: format: is \"mrose shape\""));
+    EXPECT_THAT(errorOf(named + "beam = 3\n"), HasSubstr("r.toml"));
+}
+
+TEST(SensorFiles, WhatIsWrongIsOneLineWithFileLineAndKey) {
+    const std::string laser = "kind = \"laser\"\nstart_deg = -90\nend_deg = 90\n";
+    EXPECT_EQ(errorOf(laser + "beams = 181\n"), "");
+    for (const char* const beams : {"0", "1000000", "-1", "1.5"})
+        EXPECT_THAT(
+            errorOf(laser + "beams = " + beams + "\n"),
+            testing::MatchesRegex("r.toml:[0-9]+:9: sensor\\[\"s\"\\].beams: expected a whole number from 1 to 4096"));
+    EXPECT_THAT(errorOf("kind = \"laser\"\nstart_deg = -190\nend_deg = 180\nbeams = 10\n"),
+                HasSubstr("sensor[\"s\"].end_deg: is 370.0 degrees from start_deg; expected up to 360"));
+    EXPECT_THAT(errorOf("kind = \"laser\"\nstart_deg = 10\nend_deg = 0\nbeams = 10\n"), HasSubstr("end_deg: is -10.0"));
+    EXPECT_THAT(errorOf(laser + "beams = 1\n"), HasSubstr("and 0 with a single beam alone"));
+    EXPECT_THAT(errorOf(laser + "beams = 2\nposition_m = [3.0, 0.0]\n"),
+                HasSubstr("sensor[\"s\"].position_m: is at 3.0, 0.0, outside of the robot's shape"));
+    EXPECT_THAT(errorOf(laser + "beams = 2\nleast_range_m = 9\n"),
+                HasSubstr("least_range_m: is 9.0; expected 0.0 to 8.0"));
+    EXPECT_THAT(errorOf(laser + "beams = 2\nlatency_s = 2\n"), HasSubstr("latency_s: is 2.0; expected 0.0 to 1.0"));
+    const std::string sonar = "kind = \"sonar\"\ncone_deg = 30\n";
+    EXPECT_EQ(errorOf(sonar + "ring = { count = 4, radius_m = 0.1 }\n"), "");
+    EXPECT_THAT(errorOf(sonar), HasSubstr("expected either `ring` or `elements`"));
+    EXPECT_THAT(errorOf(sonar + "ring = { count = 65, radius_m = 0.1 }\n"),
+                HasSubstr("ring.count: expected a whole number from 1 to 64"));
+    EXPECT_THAT(errorOf(sonar + "ring = { count = 4, radius_m = 3 }\n"), HasSubstr("ring: is at 3.0, 0.0, outside"));
+    EXPECT_THAT(errorOf(sonar + "elements = [{ x_m = 0, y_m = 3 }]\n"), HasSubstr("is at 0.0, 3.0, outside"));
+    EXPECT_THAT(errorOf("kind = \"sonar\"\ncone_deg = 190\nring = { count = 4, radius_m = 0.1 }\n"),
+                HasSubstr("cone_deg: is 190.0; expected"));
+    EXPECT_THAT(errorOf("kind = \"infrared\"\nring = { count = 4, radius_m = 0.1 }\nrange_m = 0.8\n"),
+                HasSubstr("reference_m: is missing"));
+    EXPECT_EQ(errorOf("kind = \"bumpers\"\nring = { count = 6 }\n"), "");
+    EXPECT_THAT(errorOf("kind = \"bumpers\"\nring = { count = 0 }\n"),
+                HasSubstr("ring.count: expected a whole number from 1 to 64"));
+    EXPECT_THAT(errorOf("kind = \"bumpers\"\nsegments = [{ start_deg = 10, end_deg = 10 }]\n"),
+                HasSubstr("end_deg: expected more than start_deg"));
+    EXPECT_THAT(errorOf("kind = \"bumpers\"\nsegments = []\n"), HasSubstr("segments: has 0; expected 1 to 64"));
+    EXPECT_EQ(errorOf("kind = \"wheel_encoders\"\nticks_per_m = 1000\ntrack_m = 0.3\n"), "");
+    EXPECT_THAT(errorOf("kind = \"wheel_encoders\"\nticks_per_m = 0\ntrack_m = 0.3\n"),
+                HasSubstr("ticks_per_m: is 0.0; expected 1.0 to"));
+}
+
+TEST(SensorPreset, ThoseThatShipAreSoundAndFitTheirRobots) {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() / "resources" / "sensors")) {
+        const std::string name = entry.path().filename().string();
+        const std::string robot = name.starts_with("pioneer") ? "pioneer1" : "b21";
+        DiskDescriptions source({sourceFolder(), {}, ""});
+        const auto textOf = [&](const std::filesystem::path& file) { return source.text(file.string())->value(); };
+        std::map<std::string, std::string> texts = smallWorld();
+        texts["preset.toml"] = textOf(entry.path());
+        texts["shape.toml"] = textOf(sourceFolder() / "shapes" / (robot + ".toml"));
+        texts["r.toml"] =
+            "format = \"mrose robot\"\nversion = 1\nname = \"r\"\nshape = \"shape.toml\"\nmass_kg = 10\n"
+            "control_period_s = 0.1\n[kinematics]\n[[sensor]]\nname = \"s\"\npreset = \"preset.toml\"\n";
+        const auto loaded = loadFrom(texts);
+        EXPECT_TRUE(loaded) << name << ": " << loaded.error().message();
+        ++count;
+    }
+    EXPECT_EQ(count, 5u);
+}
+
+}  // namespace
+}  // namespace mrose
