@@ -78,6 +78,20 @@ inline SineCosine nearZero(double y) {
     return {y + y * z * s, nearOne + (((1 - nearOne) - half) + z2 * c)};
 }
 
+/// Of |radians| up to 2^20.
+inline SineCosine byQuadrant(double radians) {
+    // pi/2 in two parts (Cody and Waite): the product with the first is exact.
+    constexpr double first = 0x1.921fb544p+0, second = 6.077100506506192e-11;
+    const double quarters = nearestWhole(radians * (2 / std::numbers::pi));
+    const SineCosine near = nearZero((radians - quarters * first) - quarters * second);
+    auto sine = std::bit_cast<std::uint64_t>(near.sine), cosine = std::bit_cast<std::uint64_t>(near.cosine);
+    const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(quarters));
+    exchange(sine, cosine, quadrant & 1);
+    sine ^= (quadrant & 2) << 62;
+    cosine ^= ((quadrant + 1) & 2) << 62;
+    return {std::bit_cast<double>(sine), std::bit_cast<double>(cosine)};
+}
+
 }  // namespace elementary
 
 /// Error below 4e-16, or 1e-20 where that is more, up to |radians| = 2^20; of |radians| 2^-52 absolute, and less than
@@ -91,16 +105,7 @@ inline SineCosine sineCosine(double radians) {
         if (!std::isfinite(radians)) return {none, none};
         radians = elementary::nearAngle(radians);
     }
-    // pi/2 in two parts (Cody and Waite): the product with the first is exact.
-    constexpr double first = 0x1.921fb544p+0, second = 6.077100506506192e-11;
-    const double quarters = nearestWhole(radians * (2 / std::numbers::pi));
-    const SineCosine near = elementary::nearZero((radians - quarters * first) - quarters * second);
-    auto sine = std::bit_cast<std::uint64_t>(near.sine), cosine = std::bit_cast<std::uint64_t>(near.cosine);
-    const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(quarters));
-    elementary::exchange(sine, cosine, quadrant & 1);
-    sine ^= (quadrant & 2) << 62;
-    cosine ^= ((quadrant + 1) & 2) << 62;
-    return {std::bit_cast<double>(sine), std::bit_cast<double>(cosine)};
+    return elementary::byQuadrant(radians);
 }
 
 inline double sine(double radians) { return sineCosine(radians).sine; }

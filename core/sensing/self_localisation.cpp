@@ -38,17 +38,16 @@ NoiseKey SelfLocaliser::keyOf(const SensorView& view, std::uint32_t part) const 
     return traits_ ? view.key(part) : view.key(NoiseChannel::selfLocalisation, part);
 }
 
-void SelfLocaliser::driftBias(const SensorView& view, Memory& memory) const {
+void SelfLocaliser::driftBias(const SensorView& view, double heading, Memory& memory) const {
     const Pose& spread = options_.bias;
     if (spread == Pose{}) return;
     const Drift drift(memory.bias != Pose{}, view.sinceLast, options_.biasTime);
     const NoisePair draw = normalPair(keyOf(view, positionBias));
-    const double heading = spread.heading == 0 ? 0 : normalPair(keyOf(view, headings)).second;
     memory.bias = {drift(memory.bias.x, spread.x, draw.first), drift(memory.bias.y, spread.y, draw.second),
                    drift(memory.bias.heading, spread.heading, heading)};
 }
 
-void SelfLocaliser::measure(const SensorView& view, Memory& memory) const {
+void SelfLocaliser::measure(const SensorView& view, double heading, Memory& memory) const {
     const NoisePair chance =
         options_.dropOut > 0 || options_.jump > 0 ? uniformPair(keyOf(view, chances)) : NoisePair{1, 1};
     if (chance.first < options_.dropOut) return;
@@ -64,8 +63,7 @@ void SelfLocaliser::measure(const SensorView& view, Memory& memory) const {
         measured.y += deviationY * draw.second;
     };
     displace(options_.noise.x, options_.noise.y, positionNoise);
-    if (options_.noise.heading != 0)
-        measured.heading += options_.noise.heading * normalPair(keyOf(view, headings)).first;
+    if (options_.noise.heading != 0) measured.heading += options_.noise.heading * heading;
     if (chance.second < options_.jump) displace(options_.jumpDistance, options_.jumpDistance, jump);
     memory.self = measured;
     memory.measured = view.timeBefore(lag);
@@ -74,8 +72,10 @@ void SelfLocaliser::measure(const SensorView& view, Memory& memory) const {
 
 void SelfLocaliser::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {
     auto& own = as<Memory>(memory);
-    driftBias(view, own);
-    measure(view, own);
+    const bool turned = options_.noise.heading != 0 || options_.bias.heading != 0;
+    const NoisePair heading = turned ? normalPair(keyOf(view, headings)) : NoisePair{};
+    driftBias(view, heading.second, own);
+    measure(view, heading.first, own);
     if (view.wants(0) && own.localised != 0) out.add(reading_, own.measured, own.self);
 }
 

@@ -36,8 +36,8 @@ public:
 
 private:
     NoiseKey keyOf(const SensorView& view, std::uint32_t part) const;
-    void driftBias(const SensorView& view, Memory& memory) const;
-    void measure(const SensorView& view, Memory& memory) const;
+    void driftBias(const SensorView& view, double heading, Memory& memory) const;
+    void measure(const SensorView& view, double heading, Memory& memory) const;
 
     SelfLocalisation options_;
     ReadingName reading_;
