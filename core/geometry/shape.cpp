@@ -108,6 +108,18 @@ bool stayApart(const ConvexPiece& a0, const ConvexPiece& b0, const ConvexPiece& 
     return a0.isCircle() && divides(-1 * axisToCircle(b0, a0));
 }
 
+namespace {
+
+/// How deep within the piece the origin is.
+double depthOfOrigin(const ConvexPiece& piece) {
+    if (piece.isCircle()) return piece.radius - length(piece.corners[0]);
+    double depth = dot(piece.normals[0], piece.corners[0]);
+    for (std::size_t i = 1; i < piece.count; ++i) depth = std::min(depth, dot(piece.normals[i], piece.corners[i]));
+    return depth;
+}
+
+}  // namespace
+
 Shape Shape::fromParts(std::string name, std::vector<ShapePart> parts) {
     Shape shape;
     shape.name = std::move(name);
@@ -121,9 +133,11 @@ Shape Shape::fromParts(std::string name, std::vector<ShapePart> parts) {
         first = first + moments.area * moments.centroid;
         polar += moments.polar + moments.area * dot(moments.centroid, moments.centroid);
     }
-    for (const ConvexPiece& piece : shape.pieces)
+    for (const ConvexPiece& piece : shape.pieces) {
         for (std::size_t i = 0; i < piece.count; ++i)
             shape.reach = std::max(shape.reach, length(piece.corners[i]) + piece.radius);
+        shape.core = std::max(shape.core, depthOfOrigin(piece));
+    }
     if (area > 0) {
         shape.centroid = (1 / area) * first;
         shape.gyration = std::sqrt(std::max(0.0, polar / area - dot(shape.centroid, shape.centroid)));

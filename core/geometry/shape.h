@@ -71,6 +71,7 @@ struct Shape {
     std::vector<ConvexPiece> pieces;
     std::vector<std::uint32_t> partOfPiece;
     double reach = 0;     ///< m, of the farthest point from the origin
+    double core = 0;      ///< m, radius of the largest disc about the origin that lies in one piece
     Point centroid;       ///< of the area
     double gyration = 0;  ///< m, radius of gyration of the area about its centroid
 

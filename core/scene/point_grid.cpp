@@ -1,7 +1,6 @@
 #include "scene/point_grid.h"
 
 #include <cmath>
-#include <limits>
 
 namespace mrose {
 
@@ -21,18 +20,15 @@ PointGrid::Axis PointGrid::axisOf(std::span<const Point> points, double Point::*
     return {std::max(least, mean - spread), std::min(most, mean + spread), all};
 }
 
-PointGrid::Extent PointGrid::extentOf(const Axis& axis, std::size_t cell) const {
-    constexpr double farthest = std::numeric_limits<double>::infinity();
-    const double least = axis.least + static_cast<double>(cell) * side_;
-    return {cell == 0 && !axis.all ? -farthest : least - slack_,
-            cell + 1 == axis.cells && !axis.all ? farthest : least + side_ + slack_};
-}
-
 void PointGrid::layOut(std::span<const Point> points, double leastSide, double cellsPerPoint) {
     x_ = y_ = {};
     side_ = perSide_ = 1;
     slack_ = 0;
     if (points.empty()) return;
+    if (!std::isfinite(leastSide)) {
+        x_.all = y_.all = false;  // one cell without end
+        return;
+    }
     x_ = axisOf(points, &Point::x);
     y_ = axisOf(points, &Point::y);
     const double width = x_.most - x_.least, height = y_.most - y_.least;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,14 +34,24 @@ public:
     template <class Visit>
     void visitBox(const Point& least, const Point& most, Visit visit) const;
 
-    /// Calls visit(least, most, entries) for the cell of `from`, and for the neighbours of each cell that it is true
-    /// for: the points of the box between two corners. What lies at the edge of those far from all others has no end.
-    struct Spreading {
-        std::vector<std::uint32_t> cells;
-        std::vector<char> reached;
+    struct Box {
+        Point least, most;
     };
-    template <class Visit>
-    void spread(const Point& from, Spreading& memory, Visit visit) const;
+    struct Spreading {
+        /// Some neighbouring cells.
+        struct Block {
+            std::uint32_t column, row;
+            double nearest;  ///< m, how far it is at least from where the spreading began
+        };
+        std::vector<Block> blocks;  ///< reached so far, in the order in which they are entered
+        std::vector<char> reached;  ///< by block; all 0 between two spreadings
+    };
+    /// Calls enter(box, nearest) for the block of cells with `from`, and for the neighbours farther out of each block
+    /// that it is true for, and then visit(entries) for runs of entries that are all its points: those of a box, which
+    /// is at least `nearest` away. What lies at the edge of those far from all others has no end. Now and then
+    /// advance(nearest) says that so far away all that follow are.
+    template <class Enter, class Visit, class Advance>
+    void spread(const Point& from, Spreading& memory, Enter enter, Visit visit, Advance advance) const;
 
     /// Whether found(entry) holds for a point, asked for at least all those within `reach` of the line between two
     /// points, which lie among the grid's.
@@ -61,7 +72,14 @@ private:
     struct Extent {
         double least, most;
     };
-    Extent extentOf(const Axis& axis, std::size_t cell) const;
+    static constexpr std::size_t blockSide = 2;  ///< cells
+    static std::size_t blocksOf(const Axis& axis) { return (axis.cells + blockSide - 1) / blockSide; }
+    Extent extentOf(const Axis& axis, std::size_t block) const {
+        constexpr double farthest = std::numeric_limits<double>::infinity();
+        const double side = blockSide * side_, least = axis.least + static_cast<double>(block) * side;
+        return {block == 0 && !axis.all ? -farthest : least - slack_,
+                block + 1 == blocksOf(axis) && !axis.all ? farthest : least + side + slack_};
+    }
     Axis axisOf(std::span<const Point> points, double Point::*coordinate);
     void layOut(std::span<const Point> points, double leastSide, double cellsPerPoint);
     void setCells(Axis& axis);
@@ -110,23 +128,50 @@ void PointGrid::visitBox(const Point& least, const Point& most, Visit visit) con
         visit(inRow(row, least.x - slack_, most.x + slack_));
 }
 
-template <class Visit>
-void PointGrid::spread(const Point& from, Spreading& memory, Visit visit) const {
-    memory.cells.clear();
-    memory.reached.assign(x_.cells * y_.cells, 0);
-    const auto reach = [&](std::size_t cell) {
-        if (std::exchange(memory.reached[cell], 1) == 0) memory.cells.push_back(static_cast<std::uint32_t>(cell));
-    };
-    reach(rowOf(from.y) * x_.cells + columnOf(from.x));
-    for (std::size_t i = 0; i < memory.cells.size(); ++i) {
-        const std::size_t cell = memory.cells[i], column = cell % x_.cells, row = cell / x_.cells;
+template <class Enter, class Visit, class Advance>
+void PointGrid::spread(const Point& from, Spreading& memory, Enter enter, Visit visit, Advance advance) const {
+    std::vector<Spreading::Block>& blocks = memory.blocks;
+    const std::size_t columns = blocksOf(x_), rows = blocksOf(y_);
+    memory.reached.resize(columns * rows, 0);
+    // Blocks nearer than `limit` are entered as they are reached; the others wait behind them.
+    double limit = 0;
+    std::size_t ready = 0;
+    const auto boxOf = [&](std::size_t column, std::size_t row) {
         const Extent x = extentOf(x_, column), y = extentOf(y_, row);
-        if (!visit(Point{x.least, y.least}, Point{x.most, y.most}, entries(begins_[cell], begins_[cell + 1]))) continue;
-        if (column > 0) reach(cell - 1);
-        if (column + 1 < x_.cells) reach(cell + 1);
-        if (row > 0) reach(cell - x_.cells);
-        if (row + 1 < y_.cells) reach(cell + x_.cells);
+        return Box{{x.least, y.least}, {x.most, y.most}};
+    };
+    const auto reach = [&](std::size_t column, std::size_t row) {
+        if (std::exchange(memory.reached[row * columns + column], 1) != 0) return;
+        const Box box = boxOf(column, row);
+        const double x = std::max({0.0, box.least.x - from.x, from.x - box.most.x});
+        const double y = std::max({0.0, box.least.y - from.y, from.y - box.most.y});
+        blocks.push_back({static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), length(Point{x, y})});
+        if (blocks.back().nearest < limit) std::swap(blocks[ready++], blocks.back());
+    };
+    const std::size_t column = columnOf(from.x) / blockSide, row = rowOf(from.y) / blockSide;
+    reach(column, row);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (i >= ready) {
+            const auto waiting = blocks.begin() + static_cast<std::ptrdiff_t>(i);
+            const auto nearer = [](const auto& a, const auto& b) { return a.nearest < b.nearest; };
+            const double nearest = std::min_element(waiting, blocks.end(), nearer)->nearest;
+            advance(nearest);
+            limit = nearest + side_;
+            const auto later = std::partition(waiting, blocks.end(), [&](const auto& b) { return b.nearest < limit; });
+            ready = std::max(i + 1, static_cast<std::size_t>(later - blocks.begin()));
+        }
+        const auto [c, r, nearest] = blocks[i];
+        if (!enter(boxOf(c, r), nearest)) continue;
+        const std::size_t left = c * blockSide, right = std::min(left + blockSide, x_.cells);
+        for (std::size_t y = r * blockSide; y < std::min((r + 1) * blockSide, y_.cells); ++y)
+            visit(entries(begins_[y * x_.cells + left], begins_[y * x_.cells + right]));
+        if (c <= column && c > 0) reach(c - 1, r);
+        if (c >= column && c + 1 < columns) reach(c + 1, r);
+        if (r <= row && r > 0) reach(c, r - 1);
+        if (r >= row && r + 1 < rows) reach(c, r + 1);
     }
+    for (const Spreading::Block& block : blocks) memory.reached[block.row * columns + block.column] = 0;
+    blocks.clear();
 }
 
 template <class Found>

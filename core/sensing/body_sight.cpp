@@ -57,6 +57,10 @@ struct Field {
 
     /// Direction of its left edge, in its own frame.
     Point edge_B() const { return {edge, std::sqrt(std::max(0.0, 1 - edge * edge))}; }
+    SightField whole() const {
+        return {frame.origin, frame.rotate({edge, -edge_B().y}), frame.rotate(edge_B()), allRound,
+                range > 0 ? range : std::numeric_limits<double>::infinity()};
+    }
 
     /// Two corners of a box that holds a view whose range has an end.
     std::pair<Point, Point> box() const {
@@ -75,71 +79,55 @@ struct Field {
     }
 };
 
-/// How large a disc about its reference point is solid: within one piece.
-double coreOf(const Shape& shape) {
-    double core = 0;
-    for (const ConvexPiece& piece : shape.pieces) {
-        double depth = piece.isCircle() ? piece.radius - length(piece.corners[0]) : shape.reach;
-        for (std::size_t i = 0; i < piece.count && !piece.isCircle(); ++i)
-            depth = std::min(depth, dot(piece.normals[i], piece.corners[i]));
-        core = std::max(core, depth);
-    }
-    return core;
-}
-
-/// Looks where it is not occluded, outwards from the sensor; what is met occludes what is behind it.
-template <class Look>
-void lookRound(const SensorView& view, const Field& field, bool occlusion, const BodyMap& map, Look look) {
-    Horizon& horizon = view.buffers.horizon;
-    horizon.open(field.frame, field.edge_B(), field.allRound,
-                 field.range > 0 ? field.range : std::numeric_limits<double>::infinity());
-    const auto visit = [&](const Point& least, const Point& most, std::span<const PointGrid::Entry> entries) {
-        if (horizon.occluded(least, most)) return false;
-        for (const PointGrid::Entry& entry : entries) {
-            if (entry.number == view.robot) continue;
-            if (!horizon.occluded(entry.point)) look(entry);
-            if (!occlusion) continue;
-            const Shape& shape = view.scene.shapeOf(entry.number);
-            horizon.shade(entry.point, coreOf(shape), map.grid.slack());
-        }
-        return true;
-    };
-    map.grid.spread(field.frame.origin, view.buffers.spreading, visit);
-}
-
-// So few are looked at one by one; with more of them in reach it pays to keep track of what is occluded.
+// So few are looked at one by one; with more of them in reach it pays to keep track of what is hidden.
 constexpr std::size_t fewBodies = 64;
 
-/// Those within range and field of view, exactly; some that are hidden may be left out.
-void collect(const SensorView& view, const BodySight& sight, const BodyMap& map, const Kind& kind,
-             std::vector<SeenBody>& seen) {
+/// Those that are seen, exactly but for noise.
+void collect(const SensorView& view, const BodySight& sight, const Kind& kind, std::vector<SeenBody>& seen) {
+    const BodyMap& map = view.bodiesBefore(view.lagOf(sight.latency));
     Pose eye = view.past.poseBefore(view.state, view.robot, map.lag);
     eye.heading += sight.direction;
     const Field field(Placement(eye), sight);
     const Placement direction({0, 0, sight.direction});  // in the robot's frame
     const Nanoseconds measured = view.scene.timeOf(view.state.tick - map.lag);
-    const auto look = [&](const PointGrid::Entry& entry) {
-        if (entry.number - kind.first >= kind.count || entry.number == view.robot) return;
+    const double widest = sight.occlusion ? view.scene.widestReach() : 0;
+    const auto look = [&](const PointGrid::Entry& entry, auto hitsBody) {
+        const std::size_t index = entry.number - kind.first;
+        if (index >= kind.count || entry.number == view.robot) return;
         const std::optional<Point> position = field.at(entry.point);
         if (!position) return;
+        if (sight.occlusion) {
+            const SightLine line(view, map, entry.number, widest);
+            if (hitsBody(line) || line.hitsObstacle()) return;
+        }
+        if (sight.dropOut > 0 && uniformNoise(kind.key(view, index, 1)) < sight.dropOut) return;
         const Point position_B = sight.direction == 0 ? *position : direction.rotate(*position);
-        seen.push_back({static_cast<std::uint32_t>(entry.number - kind.first), position_B, measured});
+        seen.push_back({static_cast<std::uint32_t>(index), position_B, measured});
     };
-    const bool limited = field.range > 0, occludes = sight.occlusion || !field.allRound;
-    if (kind.count <= fewBodies || !(limited || occludes)) {
+    const auto lookAt = [&](const PointGrid::Entry& entry) {
+        look(entry, [&](const SightLine& line) { return line.hitsBody(); });
+    };
+    const bool limited = field.range > 0, ends = sight.occlusion || !field.allRound;
+    if (kind.count <= fewBodies || !(limited || ends)) {
         for (std::size_t body = kind.first; body < kind.first + kind.count; ++body)
-            look({map.positions[body], static_cast<std::uint32_t>(body)});
+            lookAt({map.positions[body], static_cast<std::uint32_t>(body)});
         return;
     }
     const auto [least, most] = field.box();
     std::size_t near = 0;
     map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) { near += entries.size(); });
-    if (occludes && (!limited || near > fewBodies))
-        lookRound(view, field, sight.occlusion, map, look);
-    else
+    if (ends && (!limited || near > fewBodies)) {
+        Outlook& outlook = view.buffers.outlook;
+        outlook.look(view, map, field.whole(), sight.occlusion);
+        for (const Outlook::Body& body : outlook.found())
+            look(body.entry, [&](const SightLine& line) {
+                return outlook.anyBefore(body, [&](std::uint32_t other) { return line.hits(other); });
+            });
+    } else {
         map.grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
-            for (const PointGrid::Entry& entry : entries) look(entry);
+            for (const PointGrid::Entry& entry : entries) lookAt(entry);
         });
+    }
     std::sort(seen.begin(), seen.end(), [](const SeenBody& a, const SeenBody& b) { return a.index < b.index; });
 }
 
@@ -156,12 +144,7 @@ void addNoise(const SensorView& view, const BodySight& sight, const Kind& kind, 
 void see(const SensorView& view, const BodySight& sight, const Kind& kind, double bearingBias,
          std::vector<SeenBody>& seen) {
     if (kind.count == 0) return;
-    const BodyMap& map = view.bodiesBefore(view.lagOf(sight.latency));
-    collect(view, sight, map, kind, seen);
-    if (sight.dropOut > 0)
-        std::erase_if(
-            seen, [&](const SeenBody& body) { return uniformNoise(kind.key(view, body.index, 1)) < sight.dropOut; });
-    if (sight.occlusion) removeHidden(view, map, kind.first, seen);
+    collect(view, sight, kind, seen);
     if (sight.bearingNoise == 0 && sight.rangeNoise == 0 && sight.rangeNoiseSlope == 0 && sight.bearingBias == 0)
         return;
     for (SeenBody& body : seen) addNoise(view, sight, kind, bearingBias, body);

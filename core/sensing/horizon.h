@@ -1,34 +1,61 @@
 #pragma once
 
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "geometry/point.h"
 
 namespace mrose {
 
-/// How far a sensor can see at most, direction by direction, as far as is certain: beyond that is occluded. For leaving
-/// out early what is out of view or hidden by what is nearer; what is not reported occluded may be hidden all the same.
+/// In which directions a sensor can still see farther, as far as is certain: a bit for each of many narrow slots.
+/// Directions are told by turns: numbers that grow with the angle, counter-clockwise from -2 to 2; both are against x.
 class Horizon {
 public:
-    /// A sensor whose field of view lies between `edge_B` and its mirror image (any length; x forward), and ends at
-    /// `range` m. `allRound`: there is no edge.
-    void open(const Placement& eye, const Point& edge_B, bool allRound, double range);
+    static constexpr std::size_t slotCount = 4096;
 
-    /// A disc, which hides what is behind it. `rounding`: m, by which coordinates may be off.
-    void shade(const Point& centre, double radius, double rounding);
+    static double turnOf(const Point& direction) {
+        const double sum = std::max(std::abs(direction.x) + std::abs(direction.y), 1e-300);
+        const double ahead = direction.y / sum, behind = std::copysign(2, direction.y) - ahead;
+        return direction.x >= 0 ? ahead : behind;
+    }
+    static std::size_t slotOf(double turn) {
+        const double slot = std::min(std::max(0.0, (turn + 2) * perTurn), slotCount - 1.0);
+        return static_cast<std::size_t>(static_cast<std::int64_t>(slot));
+    }
 
-    /// Whether nothing can be seen there.
-    bool occluded(const Point& point) const;
-    /// In a whole box; its corners may be infinite.
-    bool occluded(const Point& least, const Point& most) const;
+    /// All directions counter-clockwise from `right` to `left`; past 2 and -2 where right > left.
+    struct Arc {
+        double right = -2, left = 2;
+    };
+
+    /// Nothing is closed any more.
+    void open() { closed_.fill(0); }
+    /// Closes the slots that lie within the arc as a whole.
+    void close(const Arc& arc);
+
+    bool isClosed(double turn) const {
+        const std::size_t slot = slotOf(turn);
+        return (closed_[slot / 64] >> slot % 64 & 1) != 0;
+    }
+    /// All slots that the arc meets.
+    bool isClosed(const Arc& arc) const {
+        const std::size_t first = firstOf(arc), last = lastOf(arc);
+        return arc.right <= arc.left ? allClosed(first, last) : allClosed(first, slotCount - 1) && allClosed(0, last);
+    }
+
+    // The slots that an arc meets, widened a little against rounding.
+    static std::size_t firstOf(const Arc& arc) { return slotOf(arc.right - little); }
+    static std::size_t lastOf(const Arc& arc) { return slotOf(arc.left + little); }
 
 private:
-    double slotOf(double turn) const { return (turn + view_) * slotsPerTurn_; }
-    std::size_t slotIn(double slot) const;
+    static constexpr double perTurn = slotCount / 4.0, little = 1e-9;
 
-    Placement eye_;
-    double view_ = 2, slotsPerTurn_ = 1;
-    std::vector<float> ends_;  ///< m, by direction, from the view's right edge to its left
+    bool allClosed(std::size_t first, std::size_t last) const;
+
+    std::array<std::uint64_t, slotCount / 64> closed_{};
 };
 
 }  // namespace mrose

@@ -4,68 +4,6 @@
 #include <cmath>
 
 namespace mrose {
-namespace {
-
-double widestReach(const Scene& scene) {
-    double widest = 0;
-    for (const RobotType& type : scene.robotTypes) widest = std::max(widest, type.shape->reach);
-    for (const ObjectType& type : scene.objectTypes) widest = std::max(widest, type.shape->reach);
-    return widest;
-}
-
-/// A line from an eye to what it looks at.
-struct SightLine {
-    const SensorView& view;
-    const BodyMap& map;
-    Point eye, target, line;
-    double squaredLength, length;
-
-    SightLine(const SensorView& looking, const BodyMap& bodies, std::size_t body)
-        : view(looking),
-          map(bodies),
-          eye(map.positions[view.robot]),
-          target(map.positions[body]),
-          line(target - eye),
-          squaredLength(dot(line, line)),
-          length(std::sqrt(squaredLength)) {}
-
-    bool passesNear(const Point& offset, double reach) const {
-        const double across = cross(offset, line);
-        return across * across <= reach * reach * squaredLength;
-    }
-    bool hits(std::size_t body) const {
-        const Shape& shape = view.scene.shapeOf(body);
-        const Point offset = map.positions[body] - eye;
-        const double nearest = mrose::length(offset) - shape.reach;
-        if (nearest >= length || !passesNear(offset, shape.reach)) return false;
-        if (nearest > 0 && dot(offset, line) <= 0) return false;  // behind
-        const Placement frame(view.past.poseBefore(view.state, body, map.lag));
-        const Point from = frame.placeBack(eye), to = frame.placeBack(target);
-        return std::any_of(shape.pieces.begin(), shape.pieces.end(),
-                           [&](const ConvexPiece& piece) { return crosses(piece, from, to); });
-    }
-};
-
-bool hiddenByBody(const SightLine& sight, std::size_t body, double widest) {
-    return sight.map.grid.anyAlong(sight.eye, sight.target, widest, [&](const PointGrid::Entry& entry) {
-        return entry.number != sight.view.robot && entry.number != body &&
-               sight.passesNear(entry.point - sight.eye, widest) && sight.hits(entry.number);
-    });
-}
-
-bool hiddenByObstacle(const ObstacleIndex& obstacles, const Point& eye, const Point& target) {
-    if (obstacles.pieces().empty()) return false;
-    // Each point of the line is within the index's margin of one of these.
-    const Point line = target - eye;
-    const int parts = 1 + static_cast<int>(length(line) / (1.9 * obstacles.margin()));
-    for (int i = 0; i < parts; ++i)
-        for (const std::uint32_t piece : obstacles.near(eye + ((i + 0.5) / parts) * line))
-            if (crosses(obstacles.pieces()[piece], eye, target)) return true;
-    return false;
-}
-
-}  // namespace
-
 bool crosses(const ConvexPiece& piece, const Point& from, const Point& to) {
     if (piece.isCircle()) return distanceToSegment(piece.corners[0], from, to) < piece.radius;
     double enters = 0, leaves = 1;
@@ -74,7 +12,7 @@ bool crosses(const ConvexPiece& piece, const Point& from, const Point& to) {
         const Point edge = piece.corners[(i + 1) % piece.count] - corner;
         // Inside of this edge where depth + t * change > 0.
         const double depth = cross(edge, from - corner), change = cross(edge, to - from);
-        if (change == 0 && depth <= 0) return false;
+        if (depth <= 0 && change <= -depth) return false;  // all of the line is outside of it
         if (change > 0) enters = std::max(enters, -depth / change);
         if (change < 0) leaves = std::min(leaves, -depth / change);
         if (enters >= leaves) return false;
@@ -82,14 +20,43 @@ bool crosses(const ConvexPiece& piece, const Point& from, const Point& to) {
     return true;
 }
 
-void removeHidden(const SensorView& view, const BodyMap& map, std::size_t first, std::vector<SeenBody>& seen) {
-    if (seen.empty()) return;
-    const double widest = widestReach(view.scene);
-    std::erase_if(seen, [&](const SeenBody& s) {
-        const SightLine sight(view, map, first + s.index);
-        return hiddenByBody(sight, first + s.index, widest) ||
-               hiddenByObstacle(view.obstacles, sight.eye, sight.target);
+bool SightLine::hits(std::size_t other) const {
+    const Point offset = map_.positions[other] - eye_;
+    if (!passesNear(offset, widest_)) return false;  // most, at less cost
+    const Shape& shape = view_.scene.shapeOf(other);
+    if (!passesNear(offset, shape.reach)) return false;
+    const double nearest = length(offset) - shape.reach;
+    if (nearest >= length_) return false;
+    if (nearest > 0 && dot(offset, line_) <= 0) return false;  // behind
+    const Placement frame(view_.past.poseBefore(view_.state, other, map_.lag));
+    const Point from = frame.placeBack(eye_), to = frame.placeBack(target_);
+    return std::any_of(shape.pieces.begin(), shape.pieces.end(),
+                       [&](const ConvexPiece& piece) { return crosses(piece, from, to); });
+}
+
+bool SightLine::hitsBody() const {
+    return map_.grid.anyAlong(eye_, target_, widest_, [&](const PointGrid::Entry& entry) {
+        return entry.number != view_.robot && entry.number != body_ && hits(entry.number);
     });
+}
+
+bool SightLine::hitsObstacle() const {
+    const ObstacleIndex& obstacles = view_.obstacles;
+    if (obstacles.pieces().empty()) return false;
+    const auto hit = [&](const ConvexPiece& piece) { return crosses(piece, eye_, target_); };
+    // Each point of the line is within the index's margin of one of so many.
+    const int parts = 1 + static_cast<int>(length_ / (1.9 * obstacles.margin()));
+    if (obstacles.pieces().size() <= static_cast<std::size_t>(parts)) {
+        const Point least{std::min(eye_.x, target_.x), std::min(eye_.y, target_.y)};
+        const Point most{std::max(eye_.x, target_.x), std::max(eye_.y, target_.y)};
+        bool any = false;
+        obstacles.visitBox(least, most, [&](std::uint32_t piece) { any = any || hit(obstacles.pieces()[piece]); });
+        return any;
+    }
+    for (int i = 0; i < parts; ++i)
+        for (const std::uint32_t piece : obstacles.near(eye_ + ((i + 0.5) / parts) * line_))
+            if (hit(obstacles.pieces()[piece])) return true;
+    return false;
 }
 
 }  // namespace mrose

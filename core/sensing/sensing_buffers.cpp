@@ -39,4 +39,10 @@ const BodyMap& SensingBuffers::bodiesBefore(const PastPoses& past, const WorldSt
     return *maps_[used_++];
 }
 
+std::span<const double> SensingBuffers::coresOf(const Scene& scene) {
+    if (cores_.empty())
+        for (std::size_t body = 0; body < scene.bodyCount(); ++body) cores_.push_back(scene.shapeOf(body).core);
+    return cores_;
+}
+
 }  // namespace mrose

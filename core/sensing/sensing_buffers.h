@@ -3,14 +3,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "control/observation.h"
 #include "perception/reading_distribution.h"
 #include "scene/point_grid.h"
+#include "scene/scene.h"
 #include "sensing/cone_view.h"
-#include "sensing/horizon.h"
 #include "sensing/outlines.h"
+#include "sensing/outlook.h"
 #include "sensing/radio_traffic.h"
 #include "sensing/simulated_view.h"
 #include "world/past_poses.h"
@@ -32,13 +34,16 @@ public:
     void forget() {
         used_ = 0;
         radio.forget();
+        cores_.clear();
     }
     /// The same for all who perceive at this tick. Valid until forget().
     const BodyMap& bodiesBefore(const PastPoses& past, const WorldState& state, std::int64_t lag, double earlier = 0);
 
+    /// Shape::core of each body, side by side: many are asked for, each once. Valid until forget().
+    std::span<const double> coresOf(const Scene& scene);
+
     // Of one robot's observation.
-    Horizon horizon;
-    PointGrid::Spreading spreading;
+    Outlook outlook;
     std::vector<SeenBody> seen;
     Outlines outlines;
     ConeView cone;
@@ -55,6 +60,7 @@ public:
 private:
     std::vector<std::unique_ptr<BodyMap>> maps_;  ///< the first `used_` of them are of this state
     std::size_t used_ = 0;
+    std::vector<double> cores_;
 };
 
 }  // namespace mrose

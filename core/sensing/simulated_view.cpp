@@ -235,10 +235,8 @@ void SimulatedView::findObstructions(const SensorView& view) {
         for (std::uint32_t body = 0; body < places_.size(); ++body) addBody(view, body, places_[body]);
         return;
     }
-    double widest = 0;
-    for (const RobotType& type : view.scene.robotTypes) widest = std::max(widest, type.shape->reach);
-    for (const ObjectType& type : view.scene.objectTypes) widest = std::max(widest, type.shape->reach);
-    const auto [least, most] = boxOfView(eye_, halfCosine_, halfSine_, farthest_, widest + SensedState::clear);
+    const double pad = view.scene.widestReach() + SensedState::clear;
+    const auto [least, most] = boxOfView(eye_, halfCosine_, halfSine_, farthest_, pad);
     map_->grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
         for (const PointGrid::Entry& entry : entries) addBody(view, entry.number, entry.point);
     });

@@ -211,6 +211,31 @@ TEST(AllPairs, RandomCrowdsAreSeenTheSame) {
     EXPECT_GT(all.seen, 20 * all.robots / 10);
 }
 
+/// Small ones beside and before large ones, which stick out of their cells and of what hides their middles.
+TEST(AllPairs, OfVeryDifferentSizes) {
+    SensingBuffers buffers;
+    int seen = 0;
+    for (std::uint64_t scene = 0; scene < 6; ++scene) {
+        SCOPED_TRACE(scene);
+        Draws draws(200 + scene);
+        const double wide = scene % 2 == 0 ? 12 : 40;
+        SmallWorld world;
+        for (int i = 0; i < 160; ++i) {
+            RobotType type = i % 8 == 0 ? squareRobot(3) : i % 2 == 0 ? discRobot(0.05) : squareRobot(0.2);
+            type.perception.robots = {.occlusion = true};
+            if (i % 3 != 0) type.perception.robots.fieldOfView = draws.between(0.3, wholeTurn);
+            if (i % 5 == 0) type.perception.robots.range = draws.between(5, 30);
+            type.perception.objects = {.fieldOfView = 4, .occlusion = true};
+            world.robot(type, {draws.between(0, wide), draws.between(0, wide), draws.between(-4, 4)}, still(), ideal());
+        }
+        for (int i = 0; i < 70; ++i)
+            world.object(ballType(), {draws.between(0, wide), draws.between(0, wide), draws.between(-4, 4)});
+        const Scenario scenario = world.scenario();
+        seen += expectAllPairs(scenario, scenario.initialState(), buffers).seen;
+    }
+    EXPECT_GT(seen, 500);
+}
+
 TEST(AllPairs, FarFromTheOriginToo) {
     SensingBuffers buffers;
     for (std::uint64_t scene = 0; scene < 4; ++scene) {

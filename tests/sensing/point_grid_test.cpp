@@ -87,6 +87,43 @@ TEST(PointGrid, LineMeetsAllNearIt) {
     EXPECT_LT(asked, pairs / 2);
 }
 
+TEST(PointGrid, SpreadsOutwardsToAllThatIsEntered) {
+    PointGrid::Spreading memory;
+    for (std::uint64_t scene = 0; scene < scenes; ++scene) {
+        const std::vector<Point> points = places(scene);
+        PointGrid grid;
+        grid.fill(points, 0, 1);
+        for (std::size_t start = 0; start < points.size(); start += 7) {
+            const Point& from = points[start];
+            const double end = start % 2 == 0 ? std::numeric_limits<double>::infinity() : 3;
+            double passed = 0, entered = 0;
+            std::multiset<std::uint32_t> visited;
+            PointGrid::Box box;
+            const auto enter = [&](const PointGrid::Box& its, double nearest) {
+                EXPECT_GE(nearest, passed);
+                box = its, entered = nearest;
+                return nearest <= end;
+            };
+            const auto visit = [&](std::span<const PointGrid::Entry> entries) {
+                for (const PointGrid::Entry& entry : entries) {
+                    visited.insert(entry.number);
+                    EXPECT_TRUE(entry.point.x >= box.least.x && entry.point.x <= box.most.x);
+                    EXPECT_TRUE(entry.point.y >= box.least.y && entry.point.y <= box.most.y);
+                    EXPECT_GE(distance(entry.point, from), entered);
+                }
+            };
+            grid.spread(from, memory, enter, visit, [&](double nearest) {
+                EXPECT_GE(nearest, passed);
+                passed = nearest;
+            });
+            for (std::uint32_t i = 0; i < points.size(); ++i) {
+                EXPECT_LE(visited.count(i), 1u);
+                EXPECT_TRUE(distance(points[i], from) > end || visited.count(i) == 1) << scene << ' ' << i;
+            }
+        }
+    }
+}
+
 TEST(PointGrid, NoPointsAndPointsWithoutEnd) {
     PointGrid grid;
     grid.fill({}, 1, 1);
