@@ -159,6 +159,13 @@ SensorLateness latenessOf(const SensorInspection& found, const RobotLog& robot,
     return {false, "nothing says what its scans should show"};
 }
 
+void checkMotion(SensorInspection& found, const RobotLog& robot) {
+    if (found.readings > 0 || found.poses == 0) return;
+    const FollowedMotion followed =
+        followedMotion(robot, found.sensor, found.lateness.identified ? found.lateness.lateness : 0);
+    if (followed.share + 3 * followed.error < 0.5) found.followed = followed.share;
+}
+
 }  // namespace
 
 SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name) {
@@ -166,7 +173,9 @@ SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std:
     const std::vector<KnownReading> readings = knownReadings(log, robot, name);
     found.lateness = latenessOf(found, robot, readings);
     const SoundMisfits sound = soundMisfits(found, readings, robot.trajectories.size());
-    if (2 * found.gross > found.known) found.lateness = {false, "its readings do not fit the ground truth"};
+    checkMotion(found, robot);
+    if (2 * found.gross > found.known || found.followed)
+        found.lateness = {false, "its readings do not fit the ground truth"};
     if (sound.range.empty()) return found;
     found.rangeOffset = medianOf(sound.range);
     found.rangeSpread = robustSpread(sound.range, found.rangeOffset);

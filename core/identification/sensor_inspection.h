@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct SensorInspection {
     /// m and rad, medians and robust spreads of those that are known and not gross, at the lateness; NaN of none.
     double rangeOffset = NAN, rangeSpread = NAN, bearingOffset = NAN, bearingSpread = NAN;
     SensorLateness lateness;
+    /// Of reported poses the share of the true motion that they follow, where that is known to be less than half.
+    std::optional<double> followed;
     std::vector<SensorChange> changes;  ///< in ascending time within each trajectory
 
     double grossShare() const { return known > 0 ? static_cast<double>(gross) / static_cast<double>(known) : 0; }

@@ -71,12 +71,17 @@ SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sens
             summary.known += found.known;
             summary.gross += found.gross;
             summary.poses += found.poses;
+            if (found.followed) {
+                summary.followed += static_cast<double>(found.poses) * *found.followed;
+                summary.strayPoses += found.poses;
+            }
             summary.scans += found.scans;
             latenesses.push_back(found.lateness);
             if (found.period <= 0) continue;
             periods.push_back(found.period);
             spreads.push_back(found.periodSpread / found.period);
         }
+    if (summary.strayPoses > 0) summary.followed /= static_cast<double>(summary.strayPoses);
     summary.lateness = pooledLateness(latenesses);
     if (periods.empty()) return summary;
     summary.clocked = medianOf(spreads) < regular;

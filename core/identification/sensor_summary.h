@@ -14,8 +14,10 @@ namespace mrose {
 struct SensorSummary {
     std::size_t readings = 0, poses = 0, scans = 0;
     std::size_t known = 0, gross = 0;  ///< readings beside ground truth; those that are gross errors
-    bool clocked = false;    ///< reports come regularly, so that a missing one shows
-    Nanoseconds period = 0;  ///< of the clock, or else the median of the robots' medians; 0: of too few
+    std::size_t strayPoses = 0;        ///< of robots whose poses do not follow the true motion
+    double followed = 0;               ///< the share of it that these follow, in the mean
+    bool clocked = false;              ///< reports come regularly, so that a missing one shows
+    Nanoseconds period = 0;            ///< of the clock, or else the median of the robots' medians; 0: of too few
     /// The robots' mean, weighted by their standard errors. Not identified: none is, for the reason of the first.
     SensorLateness lateness;
     std::vector<FalseTruth> falseTruth;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <numeric>
 
 #include "geometry/pose.h"
+#include "identification/robust_statistics.h"
 #include "logs/log_lookup.h"
 #include "logs/pose_grid.h"
 
@@ -76,6 +79,60 @@ void addSteps(std::vector<ReportedStep>& steps, LateMisfits& misfits, BlockNumbe
     }
 }
 
+struct ReportedSteps {
+    std::vector<ReportedStep> steps;
+    LateMisfits misfits;  ///< two of each step
+};
+
+ReportedSteps reportedSteps(const RobotLog& robot, const std::string& sensor) {
+    ReportedSteps found;
+    BlockNumbers blocks;
+    for (std::size_t index = 0; index < robot.trajectories.size(); ++index)
+        if (const SensorLog* const own = findSensor(robot.trajectories[index], sensor))
+            addSteps(found.steps, found.misfits, blocks, index, robot.trajectories[index], own->poses);
+    return found;
+}
+
+std::optional<Pose> trueMotion(const ReportedStep& step, double lateness) {
+    const auto from = poseAt(*step.trajectory, step.begin - fromSeconds(lateness));
+    const auto to = poseAt(*step.trajectory, step.end - fromSeconds(lateness));
+    if (!from || !to) return std::nullopt;
+    return relative(*from, *to);
+}
+
+/// What was reported of one coordinate, beside the truth.
+struct StepPairs {
+    std::vector<double> reported, truth;
+    std::vector<std::int32_t> blocks;
+};
+
+void centreOn(std::vector<double>& values) {
+    const double middle = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    for (double& value : values) value -= middle;
+}
+
+/// By least squares. Jumps count as the largest that noise and motion would explain.
+FollowedMotion slopeOf(StepPairs pairs, double leastMotion) {
+    constexpr std::size_t fewest = 100;
+    if (pairs.truth.size() < fewest) return {};
+    centreOn(pairs.truth);
+    double most = 0, squares = 0, products = 0;
+    for (const double motion : pairs.truth) most = std::max(most, std::abs(motion)), squares += motion * motion;
+    if (squares < leastMotion * leastMotion * static_cast<double>(pairs.truth.size())) return {};
+    const double middle = medianOf(pairs.reported);
+    const double limit = std::max(2 * most, 4 * robustSpread(pairs.reported, middle));
+    for (double& motion : pairs.reported) motion = std::clamp(motion - middle, -limit, limit);
+    centreOn(pairs.reported);
+    for (std::size_t i = 0; i < pairs.truth.size(); ++i) products += pairs.truth[i] * pairs.reported[i];
+    const double share = products / squares;
+    std::map<std::int32_t, double> blocks;
+    for (std::size_t i = 0; i < pairs.truth.size(); ++i)
+        blocks[pairs.blocks[i]] += pairs.truth[i] * (pairs.reported[i] - share * pairs.truth[i]);
+    double sum = 0;
+    for (const auto& [block, off] : blocks) sum += off * off;
+    return {share, blocks.size() < 2 ? INFINITY : std::sqrt(sum) / squares};
+}
+
 }  // namespace
 
 std::vector<KnownReading> knownReadings(const Log& log, const RobotLog& robot, const std::string& sensor) {
@@ -119,25 +176,44 @@ LateMisfits bearingMisfits(const std::vector<KnownReading>& readings) {
 }
 
 LateMisfits motionMisfits(const RobotLog& robot, const std::string& sensor) {
-    LateMisfits misfits;
-    BlockNumbers blocks;
-    const auto steps = std::make_shared<std::vector<ReportedStep>>();
-    for (std::size_t index = 0; index < robot.trajectories.size(); ++index)
-        if (const SensorLog* const own = findSensor(robot.trajectories[index], sensor))
-            addSteps(*steps, misfits, blocks, index, robot.trajectories[index], own->poses);
-    misfits.at = [steps](double lateness) {
+    ReportedSteps found = reportedSteps(robot, sensor);
+    LateMisfits misfits = std::move(found.misfits);
+    misfits.at = [steps = std::make_shared<std::vector<ReportedStep>>(std::move(found.steps))](double lateness) {
         std::vector<double> values;
         values.reserve(2 * steps->size());
         for (const ReportedStep& step : *steps) {
-            const auto from = poseAt(*step.trajectory, step.begin - fromSeconds(lateness));
-            const auto to = poseAt(*step.trajectory, step.end - fromSeconds(lateness));
-            const Pose moved = from && to ? relative(*from, *to) : Pose{absent, absent, absent};
+            const Pose moved = trueMotion(step, lateness).value_or(Pose{absent, absent, absent});
             values.push_back(step.moved.heading - moved.heading);
             values.push_back(step.moved.x - moved.x);
         }
         return values;
     };
     return misfits;
+}
+
+FollowedMotion followedMotion(const RobotLog& robot, const std::string& sensor, double lateness) {
+    constexpr double leastTurn = 0.02, leastWay = 0.01;  // rad, m: less is the tracker's noise
+    constexpr double leastError = 1e-6;
+    const ReportedSteps found = reportedSteps(robot, sensor);
+    StepPairs turns, ways;
+    for (std::size_t i = 0; i < found.steps.size(); ++i) {
+        const auto truth = trueMotion(found.steps[i], lateness);
+        if (!truth) continue;
+        const auto add = [&](StepPairs& to, double reported, double motion) {
+            to.reported.push_back(reported);
+            to.truth.push_back(motion);
+            to.blocks.push_back(found.misfits.blocks[2 * i]);
+        };
+        add(turns, found.steps[i].moved.heading, truth->heading);
+        add(ways, found.steps[i].moved.x, truth->x);
+    }
+    double weights = 0, sum = 0;
+    for (const FollowedMotion& slope : {slopeOf(std::move(turns), leastTurn), slopeOf(std::move(ways), leastWay)}) {
+        const double error = std::max(slope.error, leastError), weight = 1 / (error * error);
+        weights += weight;
+        sum += weight * slope.share;
+    }
+    return weights > 0 ? FollowedMotion{sum / weights, 1 / std::sqrt(weights)} : FollowedMotion{};
 }
 
 std::vector<StampedMisfit> courseMisfits(const std::vector<StampedPose>& poses) {

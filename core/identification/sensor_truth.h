@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,13 @@ LateMisfits bearingMisfits(const std::vector<KnownReading>& readings);
 /// Of poses that the robot's localisation reported: how it moved forward and turned from each to one about a second
 /// later, less what the truth says. No frame enters, nor a drift.
 LateMisfits motionMisfits(const RobotLog& robot, const std::string& sensor);
+
+/// How far reported poses follow the true motion: the slope of what was reported over about a second against what was
+/// true, 1 where they fit and 0 where they have nothing to do with each other.
+struct FollowedMotion {
+    double share = 1, error = INFINITY;  ///< one standard error, from blocks of 10 s; infinite: too little motion
+};
+FollowedMotion followedMotion(const RobotLog& robot, const std::string& sensor, double lateness);
 
 /// How the direction in which a robot moves differs from its tracked heading while it drives, every 0.5 s; a half turn
 /// is left out, for it may drive backwards. It is the tracker's error where the robot cannot slip aside.

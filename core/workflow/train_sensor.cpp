@@ -110,9 +110,15 @@ SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary
 }
 
 /// Of readings that are mostly off the ground truth.
-std::string misfitText(const std::string& sensor, std::size_t gross, std::size_t known) {
-    return "the readings of \"" + sensor + "\" do not fit the ground truth: " + std::to_string(gross) + " of " +
-           std::to_string(known) + " are more than 1 m or 0.15 rad off; are their stamps of another clock?";
+Expected<void> checkFits(const SensorSummary& found, const std::string& log, const std::string& sensor) {
+    std::string why;
+    if (2 * found.gross > found.known)
+        why = std::to_string(found.gross) + " of " + std::to_string(found.known) + " are more than 1 m or 0.15 rad off";
+    else if (found.readings == 0 && 2 * found.strayPoses > found.poses)
+        why = "they show " + fixed(std::max(0.0, 100 * found.followed), 0) + " % of how the robot truly moved";
+    if (why.empty()) return {};
+    return fail(log, "the readings of \"" + sensor + "\" do not fit the ground truth: " + why +
+                         "; are their stamps of another clock?");
 }
 
 }  // namespace
@@ -129,8 +135,8 @@ Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Pro
     const SensorSummary found = summariseSensor(*logs, request.sensor, request.robots);
     if (found.readings + found.poses == 0 && found.scans > 0)
         return fail(logs->front().source, "\"" + request.sensor + "\" reports scans, which cannot be learned");
-    if (2 * found.gross > found.known)
-        return fail(logs->front().source, misfitText(request.sensor, found.gross, found.known));
+    if (const auto fits = checkFits(found, logs->front().source, request.sensor); !fits)
+        return tl::unexpected(fits.error());
     std::vector<std::string> notices;
     for (const Log& log : *logs)
         for (std::string& notice : noticesOf(log)) notices.push_back(std::move(notice));

@@ -90,6 +90,27 @@ TEST(SensorLateness, WhatCannotBeKnownIsSaidWithItsReason) {
     EXPECT_EQ(reason(log), "its readings do not fit the ground truth");
 }
 
+TEST(SensorInspection, PosesOfAnotherClockDoNotFollowTheMotion) {
+    const auto slam = [](const Log& log) { return inspected(log).at(slamAt); };
+    for (const double shift : {-35.0, 20.0}) {
+        Log log = plantedSensorLog({});
+        for (StampedPose& pose : log.robots[0].trajectories[0].sensors[1].poses) pose.time += fromSeconds(shift);
+        const SensorInspection found = slam(log);
+        ASSERT_TRUE(found.followed) << shift;
+        EXPECT_LT(*found.followed, 0.5);
+        EXPECT_EQ(found.lateness.reason, "its readings do not fit the ground truth");
+    }
+    // neither noise nor gross errors nor standing is another clock
+    EXPECT_FALSE(slam(plantedSensorLog({.lateness = 0.5})).followed);
+    EXPECT_FALSE(slam(plantedSensorLog({.bearingNoise = 0.5, .rangeNoise = 10})).followed);
+    EXPECT_FALSE(slam(plantedSensorLog({.drives = 0})).followed);
+    Log log = plantedSensorLog({});
+    int count = 0;
+    for (StampedPose& pose : log.robots[0].trajectories[0].sensors[1].poses)
+        if (++count % 10 == 0) pose.pose.x += 40, pose.pose.heading += 2;
+    EXPECT_FALSE(slam(log).followed);
+}
+
 TEST(SensorInspection, CountsWhatWasReportedAndHowOften) {
     Log log = plantedSensorLog({.period = 0.25, .seconds = 100});
     SensorLog& sensor = log.robots[0].trajectories[0].sensors[0];

@@ -136,8 +136,11 @@ TEST_F(TrainSensor, RefusesWithOneLine) {
     for (RobotLog& robot : shifted.robots)
         for (SensorLog& sensor : robot.trajectories[0].sensors)
             for (Look& look : sensor.looks) look.time += fromSeconds(20);
+    for (StampedPose& pose : shifted.robots[0].trajectories[0].sensors[1].poses) pose.time += fromSeconds(20);
     expectError(trainSensor(request(write("shifted.csv", shifted), "camera")), path("shifted.csv"),
                 {"\"camera\" do not fit the ground truth", "another clock"});
+    expectError(trainSensor(request(path("shifted.csv"), "slam")), path("shifted.csv"),
+                {"\"slam\" do not fit the ground truth", "how the robot truly moved", "another clock"});
     Log placeless = plantedSensorLog({});
     for (LogSubject& subject : placeless.subjects) subject.position.reset();
     expectError(trainSensor(request(write("unknown.csv", placeless), "camera")), path("unknown.csv"),
