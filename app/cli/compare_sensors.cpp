@@ -27,8 +27,8 @@ std::vector<std::string> streamCells(const std::string& name, const StreamFigure
             shareCell(of(figures.reported)),
             error(range, 100 * range.distribution.mean, 1),
             error(range, 100 * range.deviation, 1),
-            error(bearing, degrees * bearing.distribution.mean, 2),
-            error(bearing, degrees * bearing.deviation, 2)};
+            error(bearing, 1000 * bearing.distribution.mean, 1),
+            error(bearing, 1000 * bearing.deviation, 1)};
 }
 
 void add(TextTable& table, const Comparison& comparison, const std::string& name, const StreamFigures& figures) {
@@ -56,7 +56,7 @@ std::string wrapped(const std::string& text, std::size_t width) {
 void print(const Comparison& comparison, const ComparedSensor& sensor) {
     std::printf("\nSensor \"%s\". %s\n", sensor.name.c_str(), streamsText(comparison, sensor).c_str());
     if (sensor.all.reported.real.of == 0 && sensor.all.reported.simulated.of == 0) return;
-    TextTable table({"", "looks", "empty %", "in view", "reported %", "range cm", "sd", "bearing deg", "sd"});
+    TextTable table({"", "looks", "empty %", "in view", "reported %", "range cm", "sd", "bearing mrad", "sd"});
     std::size_t robots = 0;
     for (std::size_t i = 0; i < sensor.robots.size(); ++i) {
         if (!sensor.robots[i]) continue;

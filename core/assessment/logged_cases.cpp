@@ -70,7 +70,7 @@ public:
             added.count = cases_.cases.size() - added.first;
             of.cases += added.count;
             ++of.looks;
-            if (added.count > 0) cases_.looks.push_back(added);
+            cases_.looks.push_back(added);
         }
     }
 

@@ -28,7 +28,7 @@ struct LoggedCase {
     bool sound = false;                             ///< reported, and not a gross error
 };
 
-/// A look of a robot, with `count` cases from `first` on.
+/// A look of a robot, with `count` cases from `first` on; none where nothing was near enough.
 struct LoggedLook {
     std::size_t robot = 0;       ///< in LoggedCases::robots
     std::size_t trajectory = 0;  ///< of that robot in the log

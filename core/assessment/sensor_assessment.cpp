@@ -104,6 +104,10 @@ Expected<SensorEvaluation> evaluateSensors(const Log& log, LoggedCases cases, st
         for (const BandAxis axis : {BandAxis::range, BandAxis::bearing})
             evaluation.bands[d][static_cast<std::size_t>(axis)] =
                 errorBands(evaluation.log.cases, first.predictions, d, axis);
+    for (std::size_t d = 0; d < readingDimensions; ++d)
+        evaluation.links[d] = errorLinks(evaluation.log, first.scores, d, models.front().model->noises());
+    for (std::size_t i = 0; i < evaluation.log.robots.size(); ++i)
+        evaluation.means.push_back(meanErrors(evaluation.log, first.predictions, first.scores, i));
     evaluation.map = detectionMap(evaluation.log.cases, first.scores, evaluation.log.rule);
     evaluation.shown = lookWithMost(view, evaluation.log);
     return evaluation;

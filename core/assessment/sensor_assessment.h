@@ -7,6 +7,7 @@
 
 #include "assessment/detection_map.h"
 #include "assessment/error_bands.h"
+#include "assessment/error_links.h"
 #include "assessment/logged_cases.h"
 #include "assessment/sensor_model.h"
 #include "assessment/sensor_scores.h"
@@ -33,12 +34,14 @@ struct ShownLook {
     std::vector<Point> robots;   ///< the other ones, m, as far as the log says where they were
 };
 
-/// Several models against the same cases. Bands, map and look are of the first.
+/// Several models against the same cases. Bands, links, means, map and look are of the first.
 struct SensorEvaluation {
     LoggedCases log;
     std::vector<SensorAssessment> models;
     View view;                                                                   ///< of the first
     std::array<std::array<std::vector<ErrorBand>, 2>, readingDimensions> bands;  ///< by dimension, then by BandAxis
+    std::array<ErrorLinks, readingDimensions> links;
+    std::vector<MeanErrors> means;  ///< by LoggedCases::robots
     DetectionMap map;
     ShownLook shown;  ///< the one with the most readings
 };

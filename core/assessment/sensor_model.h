@@ -20,6 +20,9 @@ public:
     /// is, by name.
     virtual void distributions(std::span<const SensedState> states, const std::string& robot,
                                std::span<ReadingDistribution> to) const = 0;
+
+    /// What its readings have in common; nullptr where it does not say.
+    virtual const ReadingNoises* noises() const { return nullptr; }
 };
 
 class LearnedSensorModel final : public SensorModel {
@@ -29,6 +32,7 @@ public:
     const SensorNetwork& network() const { return sensor_.network(); }
     Nanoseconds latency() const override { return network().latency; }
     View view() const override { return network().view; }
+    const ReadingNoises* noises() const override { return &network().noise; }
     void distributions(std::span<const SensedState> states, const std::string& robot,
                        std::span<ReadingDistribution> to) const override;
 

@@ -35,6 +35,11 @@ std::string fixed(double value, int decimals) {
     return onlyZeros && result.front() == '-' ? result.substr(1) : result;
 }
 
+std::string fixedWithMinus(double value, int decimals) {
+    const std::string text = fixed(value, decimals);
+    return text.starts_with('-') ? "−" + text.substr(1) : text;
+}
+
 std::string numberText(double value) { return shortest(value); }
 std::string numberText(float value) { return shortest(value); }
 

@@ -11,6 +11,8 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 /// `value` with a fixed number of decimals and a point, whatever the locale; "–" when it is not finite.
 std::string fixed(double value, int decimals);
+/// The same with a minus sign instead of a hyphen: for pages.
+std::string fixedWithMinus(double value, int decimals);
 
 /// The shortest decimal text that reads back as the same number, without exponent from 0.001 on to below 1e15; always
 /// with '.', exponent, "inf" or "nan", so that it is a float wherever integers and floats differ. Independent of the

@@ -164,8 +164,9 @@ std::string robotCard(const Comparison& comparison, std::size_t index, const Com
     const ComparedRollout& rollout = comparison.rollouts[index];
     const WindowErrors& errors = rollout.errors;
     std::string what = cat("rollout\u00a0", std::to_string(rollout.request + 1), " · from\u00a0",
-                           escaped(startText(comparison, rollout)), " · path\u00a0", fixed(rollout.real.path, 2),
-                           "\u00a0m<br/>mean ", meanText(rollout), "\u00a0cm");
+                           escaped(startText(comparison, rollout)));
+    if (std::isfinite(rollout.real.path)) what += cat(" · path\u00a0", fixed(rollout.real.path, 2), "\u00a0m");
+    what += cat("<br/>mean ", meanText(rollout), "\u00a0cm");
     if (std::isfinite(errors.positionFinal))
         what += cat(" · at the end ", fixed(100 * errors.positionFinal, 1), "\u00a0cm, ",
                     fixed(degrees * errors.headingFinal, 1), "°");
@@ -238,7 +239,7 @@ std::string provenance(const Comparison& comparison, const ReportContext& contex
     facts.row({"scenario", escaped(comparison.scenario)});
     facts.row({"log", cat(escaped(comparison.log.source), " (", escaped(comparison.log.format), ")")});
     facts.row({"seed", std::to_string(comparison.seed)});
-    for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
+    addModelFacts(facts, context);
     facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
     std::string text = cat(heading("Where this comes from"), tableCard(facts.text()));
     if (!comparison.counted.empty())

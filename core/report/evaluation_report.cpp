@@ -276,7 +276,7 @@ std::string provenance(const Evaluation& evaluation, const ReportContext& contex
     std::string text = heading("Where this comes from");
     HtmlTable facts({{"", {"", ""}}}, "words");
     facts.row({"model", escaped(evaluation.models.front().name)});
-    for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
+    addModelFacts(facts, context);
     facts.row({"evaluated on", cat(escaped(evaluation.log.source), " (", escaped(evaluation.log.format), ")",
                                    evaluation.log.synthetic ? ", synthetic" : "")});
     if (!context.commandLine.empty()) facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});

@@ -7,10 +7,13 @@
 namespace mrose {
 
 /// What one robot had before it at SensorEvaluation::shown, from above, with what it reported.
-std::string realLookFigure(const SensorEvaluation& evaluation);
-/// The same with what the first model would report, by so many draws.
-std::string predictedLookFigure(const SensorEvaluation& evaluation);
+std::string lookFigure(const SensorEvaluation& evaluation);
+
+/// Each of its subjects that was reported or is likely to be, enlarged: what the first model would report, by so many
+/// draws, and what was.
+std::string lookCloseUps(const SensorEvaluation& evaluation);
 constexpr int shownDraws = 40;
+constexpr double leastShownChance = 0.05;
 
 std::string lookLegend(const SensorEvaluation& evaluation);
 

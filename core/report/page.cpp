@@ -169,6 +169,11 @@ std::string defectTable(const LogWindows& log) {
     return table.text();
 }
 
+void addModelFacts(HtmlTable& table, const ReportContext& context) {
+    for (const auto& [key, value] : context.modelFacts)
+        table.row({escaped(key), key == "command" ? cat("<code>", escaped(value), "</code>") : escaped(value)});
+}
+
 std::string fileTable(const std::vector<LogFile>& files) {
     HtmlTable table({{"", {"file", "XXH3"}}}, "files");
     for (const LogFile& file : files)

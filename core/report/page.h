@@ -101,6 +101,9 @@ std::string tiles(const Summary& summary);
 /// What was wrong with the log, one row per robot.
 std::string defectTable(const LogWindows& log);
 /// Files with their hashes.
+/// A row of a table of two columns for each of the facts about the model.
+void addModelFacts(HtmlTable& table, const ReportContext& context);
+
 std::string fileTable(const std::vector<LogFile>& files);
 /// The same, to be unfolded; nothing of none.
 std::string foldedFiles(const std::vector<LogFile>& files);

@@ -39,6 +39,7 @@ p { margin: 6px 0 10px; max-width: 86ch; }
 .paths .soft { font-size: 13.5px; margin: 0 0 4px; line-height: 1.4; }
 .bars + .bars, .pair + .pair, .pair + .card { margin-top: 14px; }
 .paths + p { margin-top: 16px; } .paths .plot { margin: 0 auto; } .paths table + .soft { margin-top: 10px; }
+.closeups { display: grid; grid-template-columns: repeat(auto-fill, minmax(140px, 1fr)); gap: 12px 16px; } .closeup { font-size: 14px; } .closeup svg { margin-top: 4px; background: var(--page); border-radius: 6px; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 14.5px; font-variant-numeric: tabular-nums; width: 100%; }
 th, td { padding: 4px 8px; text-align: right; border-bottom: 1px solid var(--grid); white-space: nowrap; }

@@ -123,7 +123,8 @@ std::string coverageFigure(const SensorEvaluation& evaluation, std::size_t dimen
     SvgPlot plot = squarePlot(cat("Readings inside the central part, ", shown.name),
                               cat("central part of the predicted ", shown.name, " (%)"), "readings inside (%)");
     for (std::size_t i = evaluation.models.size(); i-- > 0;)
-        plot.line(coverageLine(evaluation.models[i].below[dimension]), seriesClass(i));
+        plot.line(coverageLine(belowHistogram(evaluation.log.cases, evaluation.models[i].scores, dimension, 200)),
+                  seriesClass(i));
     return plot.text();
 }
 

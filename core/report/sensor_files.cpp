@@ -77,6 +77,26 @@ Json bandsJson(const SensorEvaluation& evaluation) {
     return {{"quantiles", bandShares}, {"bands", std::move(all)}};
 }
 
+Json linksJson(const SensorEvaluation& evaluation) {
+    Json links = Json::object(), robots = Json::array();
+    const auto json = [](const ErrorLink& link) {
+        return Json{{"pairs", link.pairs}, {"real", link.real}, {"model", link.model}};
+    };
+    for (std::size_t d = 0; d < readingDimensions; ++d)
+        links[dimensionKeys[d]] = {{"same_subject_next_look", json(evaluation.links[d].next)},
+                                   {"another_subject_same_look", json(evaluation.links[d].beside)}};
+    for (std::size_t i = 0; i < evaluation.means.size(); ++i) {
+        Json robot{{"robot", evaluation.log.robots[i].name}};
+        for (std::size_t d = 0; d < readingDimensions; ++d) {
+            const std::string unit = unitKeys[d];
+            robot[dimensionKeys[d]] = {{"real_mean_" + unit, evaluation.means[i].real[d]},
+                                       {"predicted_mean_" + unit, evaluation.means[i].predicted[d]}};
+        }
+        robots.push_back(std::move(robot));
+    }
+    return {{"correlations", std::move(links)}, {"means", std::move(robots)}};
+}
+
 Json mapJson(const DetectionMap& map) {
     Json cells = Json::array();
     for (int b = 0; b < map.bearings; ++b)
@@ -167,6 +187,7 @@ std::string sensorResultsJson(const SensorEvaluation& evaluation, const ReportCo
                      {"gross_bearing_rad", rule.grossBearing}}},
                    {"models", std::move(models)},
                    {"errors", bandsJson(evaluation)},
+                   {"errors_in_common", linksJson(evaluation)},
                    {"detection", mapJson(evaluation.map)}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

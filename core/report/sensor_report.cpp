@@ -6,6 +6,7 @@
 
 #include "io/format.h"
 #include "report/detection_figure.h"
+#include "report/error_link_section.h"
 #include "report/legend.h"
 #include "report/look_figure.h"
 #include "report/sensor_figures.h"
@@ -15,12 +16,6 @@ namespace mrose {
 namespace {
 
 constexpr const char* sensorFiles[] = {"results.csv", "results.json", "cases.csv", "report.html"};
-
-/// With a minus sign where it is negative.
-std::string numberCell(double value, int decimals) {
-    const std::string text = fixed(value, decimals);
-    return text.starts_with('-') ? cat("−", text.substr(1)) : text;
-}
 
 enum class Better { less, more };
 
@@ -32,8 +27,8 @@ std::vector<std::string> bestBold(const std::vector<double>& values, int decimal
         if (!std::isnan(value) && (std::isnan(best) || (better == Better::less ? value < best : value > best)))
             best = value;
     for (const double value : values) {
-        const std::string text = numberCell(value, decimals);
-        cells.push_back(values.size() > 1 && text == numberCell(best, decimals) && std::isfinite(value)
+        const std::string text = fixedWithMinus(value, decimals);
+        cells.push_back(values.size() > 1 && text == fixedWithMinus(best, decimals) && std::isfinite(value)
                             ? cat("<b>", text, "</b>")
                             : text);
     }
@@ -124,16 +119,24 @@ std::string lessText(double value, double than) {
     return cat(fixed(std::abs(percent), 0), "\u00a0% ", percent >= 0 ? "less" : "more", " than");
 }
 
+/// What is no file by its noun.
+std::string calledInText(const std::string& name) {
+    if (name == "ideal") return "an ideal sensor";
+    if (name == "ideal plus noise") return "an ideal sensor with constant noise";
+    const bool family = name == "network" || name == "lookup table" || name == "decision trees";
+    return cat(family ? "the " : "", escaped(name));
+}
+
 std::string comparisonText(const SensorEvaluation& evaluation) {
     const SensorScores& first = evaluation.models.front().all;
     std::string text;
     for (std::size_t i = 1; i < evaluation.models.size(); ++i) {
         const SensorScores& other = evaluation.models[i].all;
-        text +=
-            cat(i == 1                              ? " Its score of the range is "
-                : i + 1 == evaluation.models.size() ? " and "
-                                                    : ", ",
-                lessText(first.error[0].crps, other.error[0].crps), " that of ", escaped(evaluation.models[i].name));
+        text += cat(i == 1                              ? " Its score of the range (less is better) is "
+                    : i + 1 == evaluation.models.size() ? " and "
+                                                        : ", ",
+                    lessText(first.error[0].crps, other.error[0].crps), " that of ",
+                    calledInText(evaluation.models[i].name));
     }
     return text.empty() ? text : text + ".";
 }
@@ -165,7 +168,7 @@ std::string sensorTiles(const SensorEvaluation& evaluation) {
                       cat("inside the central 50\u00a0%: ", fixed(100 * error.inside50, 1),
                           ", 90\u00a0%: ", fixed(100 * error.inside90, 1)));
     }
-    tiles += tile("detection: log-likelihood", numberCell(all.detection, 4), "",
+    tiles += tile("detection: log-likelihood", fixedWithMinus(all.detection, 4), "",
                   cat("of ", std::to_string(all.cases), " ", subjectsOf(evaluation.log)));
     tiles += tile("detection: worst group off by", fixed(100 * all.off, 1), "%",
                   cat("of ", std::to_string(all.groups.size()), " groups, between predicted and ",
@@ -225,12 +228,15 @@ std::string lookSection(const SensorEvaluation& evaluation) {
     return cat(heading("One look"),
                paragraph(cat("The look with the most readings, of robot ", escaped(log.robots[look.robot].name), " at ",
                              fixed(toSeconds(evaluation.shown.sinceStart), 1),
-                             " s, from above. Left: the subjects by name, and what was reported. "
-                             "Right: how likely each is reported by the model, and what ",
-                             std::to_string(shownDraws), " looks drawn from it report.")),
+                             " s. Left: all from above, as far as there were subjects. Right: those that were reported "
+                             "or are at least ",
+                             fixed(100 * leastShownChance, 0),
+                             "\u00a0% likely to be, each enlarged in a scale of its own and seen from the robot, up is "
+                             "away from it; with ",
+                             std::to_string(shownDraws), " readings drawn from the model.")),
                lookLegend(evaluation),
-               cardPair(card(capitalised(log.real()), realLookFigure(evaluation)),
-                        card(escaped(evaluation.models.front().name), predictedLookFigure(evaluation))));
+               cardPair(card(capitalised(log.real()), lookFigure(evaluation)),
+                        card(escaped(evaluation.models.front().name), lookCloseUps(evaluation))));
 }
 
 std::string robotSection(const SensorEvaluation& evaluation) {
@@ -301,8 +307,8 @@ std::string caseTable(const LoggedCases& log) {
 std::string sensorProvenance(const SensorEvaluation& evaluation, const ReportContext& context) {
     const LoggedCases& log = evaluation.log;
     HtmlTable facts({{"", {"", ""}}}, "words");
-    facts.row({"model", escaped(evaluation.models.front().name)});
-    for (const auto& [key, value] : context.modelFacts) facts.row({escaped(key), escaped(value)});
+    if (context.modelFacts.empty()) facts.row({"model", escaped(evaluation.models.front().name)});
+    addModelFacts(facts, context);
     facts.row(
         {"evaluated on", cat(escaped(log.source), " (", escaped(log.format), ")", log.synthetic ? ", synthetic" : "")});
     if (!context.commandLine.empty()) facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
@@ -319,9 +325,9 @@ std::string sensorReportHtml(const SensorEvaluation& evaluation, const ReportCon
     return reportPage(title,
                       cat(sensorHeader(evaluation, context), sensorHeadline(evaluation), sensorTiles(evaluation),
                           heading("Models side by side"), tableCard(modelScores(evaluation)), lookSection(evaluation),
-                          bandSection(evaluation), detectionSection(evaluation), reliabilitySection(evaluation),
-                          robotSection(evaluation), heading("What the numbers mean"), sensorDefinitions(evaluation.log),
-                          sensorProvenance(evaluation, context)));
+                          bandSection(evaluation), errorLinkSection(evaluation), detectionSection(evaluation),
+                          reliabilitySection(evaluation), robotSection(evaluation), heading("What the numbers mean"),
+                          sensorDefinitions(evaluation.log), sensorProvenance(evaluation, context)));
 }
 
 Expected<void> checkSensorReportFolder(const std::filesystem::path& folder, bool overwrite) {

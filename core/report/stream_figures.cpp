@@ -139,7 +139,7 @@ std::string rangeErrorFigure(const ComparedSensor& sensor) {
 }
 
 std::string bearingErrorFigure(const ComparedSensor& sensor) {
-    return errorFigure(sensor, &SensedSubject::bearingError, degrees, "bearing, reported less true (°)",
+    return errorFigure(sensor, &SensedSubject::bearingError, 1000, "bearing, reported less true (mrad)",
                        "Distribution of bearing errors");
 }
 

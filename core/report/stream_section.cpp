@@ -28,7 +28,7 @@ std::vector<std::string> streamRow(const std::string& name, const StreamFigures&
     std::vector<std::string> cells{name, std::to_string(of(figures.looks)), shareText(of(figures.empty)),
                                    std::to_string(of(figures.reported).of), shareText(of(figures.reported))};
     for (const auto& [errors, unit, decimals] :
-         {std::tuple(&figures.range, 100.0, 1), std::tuple(&figures.bearing, degrees, 2)})
+         {std::tuple(&figures.range, 100.0, 1), std::tuple(&figures.bearing, 1000.0, 1)})
         for (std::string& cell : errorCells(of(errors->of), unit, decimals)) cells.push_back(std::move(cell));
     return cells;
 }
@@ -56,7 +56,7 @@ std::string streamTable(const Comparison& comparison, const ComparedSensor& sens
                      {"looks", {"all", "empty %"}},
                      {"subjects", {"in view", "reported %"}},
                      {"range errors, cm", {"mean", "sd", "p10", "median", "p90"}},
-                     {"bearing errors, °", {"mean", "sd", "p10", "median", "p90"}}},
+                     {"bearing errors, mrad", {"mean", "sd", "p10", "median", "p90"}}},
                     "dense");
     const auto add = [&](const std::string& name, const StreamFigures& figures) {
         table.part(name);

@@ -10,15 +10,19 @@ namespace {
 
 constexpr double margin = 1.12;  // for the labels at the outer arc
 
-double halfWidth(double range, double bearing) {
-    return margin * range * (bearing < 1.57 ? std::max(0.35, sine(bearing)) : 1);
+/// How far a side reaches from the middle, at least so much of the range.
+double sideWidth(double range, double bearing) {
+    constexpr double least = 0.2;
+    return margin * range * (bearing < 1.57 ? std::max(least, sine(bearing)) : 1);
 }
 
-SvgPlot plotFor(double range, double bearing, std::string_view description) {
-    const double wide = halfWidth(range, bearing), back = bearing < 1.57 ? -0.06 * range : -margin * range;
-    const double width = 560, scale = (width - 16) / (2 * wide);
+SvgPlot plotFor(double range, PlotRange bearings, std::string_view description) {
+    const double left = sideWidth(range, bearings.high), right = sideWidth(range, -bearings.low);
+    const bool ahead = std::max(bearings.high, -bearings.low) < 1.57;
+    const double back = ahead ? -0.06 * range : -margin * range;
+    const double width = 560, scale = (width - 16) / (left + right);
     const SvgPlot::Layout layout{width, std::min(620.0, scale * (margin * range - back) + 16), 8, 8, 8, 8};
-    return SvgPlot::equalScale(layout, {-wide, wide}, {back, margin * range}, description);
+    return SvgPlot::equalScale(layout, {-left, right}, {back, margin * range}, description);
 }
 
 std::vector<Point> arcPoints(double range, double right, double left) {
@@ -31,8 +35,8 @@ std::vector<Point> arcPoints(double range, double right, double left) {
 
 }  // namespace
 
-ViewPlot::ViewPlot(double range, double bearing, std::string_view description)
-    : range_(range), bearing_(bearing), plot_(plotFor(range, bearing, description)) {}
+ViewPlot::ViewPlot(double range, PlotRange bearings, std::string_view description)
+    : range_(range), bearings_(bearings), plot_(plotFor(range, bearings, description)) {}
 
 Point ViewPlot::place(double range, double bearing) { return {-range * sine(bearing), range * cosine(bearing)}; }
 
@@ -50,12 +54,14 @@ void ViewPlot::ray(double from, double to, double bearing, std::string_view cssC
 }
 
 void ViewPlot::scale() {
+    constexpr double besideEdge = 0.15;  // rad: a label there would be on another
     const double step = roundStep(range_ / 5);
     for (int i = 1; i * step <= range_ + 1e-9; ++i) {
-        arc(i * step, -bearing_, bearing_, "arc");
-        plot_.label(place(i * step, -bearing_), 5, 12, cat(fixed(i * step, step < 1 ? 1 : 0), " m"), "tick");
+        arc(i * step, bearings_.low, bearings_.high, "arc");
+        plot_.label(place(i * step, bearings_.low), 5, 12, cat(fixed(i * step, step < 1 ? 1 : 0), " m"), "tick");
     }
-    for (const double bearing : {-bearing_, 0.0, bearing_}) {
+    for (const double bearing : {bearings_.low, 0.0, bearings_.high}) {
+        if (bearing == 0 && (bearings_.high < besideEdge || bearings_.low > -besideEdge)) continue;
         ray(0, range_, bearing, "arc");
         const char* const side = bearing == 0 ? "" : bearing > 0 ? " left" : " right";
         plot_.label(place(range_, bearing), 0, -7, cat(fixed(degrees * std::abs(bearing), 0), "°", side),

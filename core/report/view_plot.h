@@ -11,7 +11,10 @@ namespace mrose {
 class ViewPlot {
 public:
     /// `range` m and `bearing` rad to either side are in it.
-    ViewPlot(double range, double bearing, std::string_view description);
+    ViewPlot(double range, double bearing, std::string_view description)
+        : ViewPlot(range, PlotRange{-bearing, bearing}, description) {}
+    /// From the right (low) to the left (high).
+    ViewPlot(double range, PlotRange bearings, std::string_view description);
 
     /// Where something is on the plot. Bearing in rad, counter-clockwise.
     static Point place(double range, double bearing);
@@ -27,7 +30,8 @@ public:
     std::string text() const { return plot_.text(); }
 
 private:
-    double range_, bearing_;
+    double range_;
+    PlotRange bearings_;
     SvgPlot plot_;
 };
 

@@ -26,7 +26,7 @@ std::string nameOfFile(const std::string& path) { return std::filesystem::path(p
 Expected<SensorNetwork> openSensor(const std::string& path) {
     auto network = loadSensor(path);
     if (network && network->measures != SensorNetwork::Measures::subjects)
-        return fail(path, "measures its robot's own pose; mrose evaluate judges sensors of landmarks and robots");
+        return fail(path, "reports its robot's own pose; mrose evaluate judges sensors of landmarks and robots alone");
     return network;
 }
 
@@ -90,8 +90,8 @@ ReportContext sensorContext(const SensorNetwork& network, const EvaluateSensorRe
                            std::to_string(training.patterns) + " cases, " + std::to_string(training.epochs) +
                            " epochs");
     fact("command", training.command);
-    fact("held out in learning", "mean log-likelihood of detection " + fixed(network.heldOut.reported, 4) +
-                                     ", of errors " + fixed(network.heldOut.error, 4) +
+    fact("held out in learning", "mean log-likelihood of detection " + fixedWithMinus(network.heldOut.reported, 4) +
+                                     ", of errors " + fixedWithMinus(network.heldOut.error, 4) +
                                      " (each member on its own part)");
     return context;
 }

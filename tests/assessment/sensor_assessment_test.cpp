@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/normal_distribution.h"
 #include "support/toy_camera.h"
+#include "world/noise.h"
 
 namespace mrose {
 namespace {
@@ -39,6 +41,7 @@ double sampling(double share, std::size_t count) {
 TEST_F(SensorAssessments, TheModelThatMadeTheLogIsCalibrated) {
     const SensorEvaluation evaluation = evaluate({{"itself", &camera_}});
     const SensorAssessment& itself = evaluation.models[0];
+    EXPECT_EQ(evaluation.log.looks.size(), evaluation.log.robots[0].looks);
     ASSERT_GT(itself.all.sound, 2000u);
     EXPECT_EQ(itself.all.sound, itself.all.readings);
     for (std::size_t d = 0; d < readingDimensions; ++d) {
@@ -89,6 +92,48 @@ TEST_F(SensorAssessments, BandsAndMapAreThoseOfTheModelThatMadeTheLog) {
         }
     }
     EXPECT_EQ(cases, evaluation.log.cases.size());
+}
+
+TEST_F(SensorAssessments, ErrorsThatAreDrawnApartHaveNothingInCommon) {
+    const SensorEvaluation evaluation = evaluate({{"itself", &camera_}});
+    for (std::size_t d = 0; d < readingDimensions; ++d)
+        for (const ErrorLink& link : {evaluation.links[d].next, evaluation.links[d].beside}) {
+            ASSERT_GT(link.pairs, 500u);
+            EXPECT_NEAR(link.real, 0, 4 / std::sqrt(static_cast<double>(link.pairs)));
+            EXPECT_TRUE(std::isnan(link.model)) << "a toy says nothing of it";
+        }
+    const SensorScores& all = evaluation.models[0].all;
+    for (std::size_t d = 0; d < readingDimensions; ++d)
+        EXPECT_NEAR(evaluation.means[0].real[d], evaluation.means[0].predicted[d],
+                    5 * all.error[d].rmse / std::sqrt(static_cast<double>(all.sound)));
+}
+
+TEST_F(SensorAssessments, WhatLastsInErrorsIsMeasured) {
+    LoggedCases cases;
+    cases.robots.resize(1);
+    std::vector<CaseScore> scores;
+    ReadingNoises noises{};
+    noises[1] = {.look = 0.3, .slow = 0.2, .slowTime = 2, .subject = 0.3, .subjectTime = 1};
+    const auto noise = [](std::int64_t i, std::uint32_t channel) { return normalNoise({5, i, 0, channel}); };
+    const double pause = 0.5, slowKept = std::exp(-pause / 2), subjectKept = std::exp(-pause);
+    double slow = noise(0, 0), subject[] = {noise(0, 1), noise(0, 2)};
+    for (int l = 1; l <= 20000; ++l) {
+        cases.looks.push_back({0, 0, fromSeconds(pause * l), cases.cases.size(), 2});
+        slow = slowKept * slow + std::sqrt(1 - slowKept * slowKept) * noise(l, 0);
+        const double common = std::sqrt(0.3) * noise(l, 3) + std::sqrt(0.2) * slow;
+        for (std::uint32_t s = 0; s < 2; ++s) {
+            subject[s] = subjectKept * subject[s] + std::sqrt(1 - subjectKept * subjectKept) * noise(l, 1 + s);
+            const double number = common + std::sqrt(0.3) * subject[s] + std::sqrt(0.2) * noise(l, 4 + s);
+            cases.cases.push_back({.subject = s, .reported = true, .sound = true});
+            scores.push_back({.below = {normalProbability(number), 0.5}});
+        }
+    }
+    const ErrorLinks links = errorLinks(cases, scores, 0, &noises);
+    EXPECT_EQ(links.beside.pairs, 20000u);
+    EXPECT_NEAR(links.next.model, 0.2 * slowKept + 0.3 * subjectKept, 1e-9);
+    EXPECT_NEAR(links.next.real, links.next.model, 0.03);
+    EXPECT_NEAR(links.beside.model, 0.5, 1e-9);
+    EXPECT_NEAR(links.beside.real, 0.5, 0.03);
 }
 
 TEST_F(SensorAssessments, AnIdealSensorIsAsGoodAsItsNoise) {

@@ -28,7 +28,7 @@ protected:
         const NamedSensor models[] = {{"cam <b>", &camera_}, {"wide, too", &wide_}};
         evaluation_ = *evaluateSensors(log, *loggedCases(log, "camera", {}, {}), models);
         context_.program = "mrose <1>";
-        context_.modelFacts = {{"kind<", "a & \"b\""}};
+        context_.modelFacts = {{"kind<", "a & \"b\""}, {"command", "mrose train <x>"}};
         context_.trainingLogs = {{"train<ing>", "123456789abcdef0"}};
         context_.commandLine = "mrose evaluate 'x' > y";
     }
@@ -43,8 +43,8 @@ TEST_F(SensorReport, IsWellFormedAndEscapesAllText) {
     EXPECT_EQ(markupError(html), "");
     for (const char* raw : {"cam <b>", "<a> &", "<file>", "train<ing>", "kind<\"", "mrose <1>"})
         EXPECT_THAT(html, Not(HasSubstr(raw)));
-    for (const char* text :
-         {"cam &lt;b&gt;", "logs/&lt;a&gt; &amp; &quot;b&quot;", "123456789abcdef0", "&#39;x&#39; &gt; y"})
+    for (const char* text : {"<code>mrose train &lt;x&gt;</code>", "cam &lt;b&gt;",
+                             "logs/&lt;a&gt; &amp; &quot;b&quot;", "123456789abcdef0", "&#39;x&#39; &gt; y"})
         EXPECT_THAT(html, HasSubstr(text));
 }
 
@@ -55,8 +55,11 @@ TEST_F(SensorReport, HoldsTheFiguresAndThePictures) {
     EXPECT_THAT(html, HasSubstr(fixed(1000 * all.error[1].crps, 2) + " <small>mrad"));
     EXPECT_THAT(html, HasSubstr("<b>−" + fixed(-all.detection, 4) + "</b>"));
     EXPECT_THAT(html, HasSubstr(fixed(1000 * evaluation_.models[1].all.error[1].rmse, 2)));
-    // one look twice, four of bands, two of detection, three of reliability, two of what lies below
-    EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 13u);
+    // one look, four of bands, two of detection, three of reliability, two of what lies below
+    const std::size_t closeUps = countOf(html, "class=\"closeup\"");
+    EXPECT_GT(closeUps, 1u);
+    EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 12 + closeUps);
+    EXPECT_THAT(html, HasSubstr("(less is better)"));
     for (const char* link : {"<script", "src=", "href=\"http", "url(http", "@import", "<link", "nan", "inf<"})
         EXPECT_THAT(html, Not(HasSubstr(link)));
 }
