@@ -85,6 +85,16 @@ void ProgressLine::show(const std::string& text) {
     shown_ = terminal_;
 }
 
+bool LearningDisplay::operator()(double share) {
+    const int percent = static_cast<int>(100 * share), step = line_.terminal() ? percent : percent / 10;
+    if (std::exchange(shown_, step) != step) {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
+        line_.show(what_ + ": " + std::to_string(percent) + " %" +
+                   (percent > 0 ? ", about " + durationText(spent.count() / share * (1 - share)) + " left" : ""));
+    }
+    return !wasInterrupted();
+}
+
 std::string durationText(double seconds) {
     const long whole = std::lround(seconds);
     char text[48];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -84,6 +85,21 @@ public:
 private:
     bool quiet_, terminal_;
     bool shown_ = false;
+};
+
+/// How far learning has come, and about how long it still takes: without a terminal, about ten lines of it.
+class LearningDisplay {
+public:
+    LearningDisplay(bool quiet, std::string what) : line_(quiet), what_(std::move(what)) {}
+
+    bool operator()(double share);  ///< whether it may go on
+    void end() { line_.clear(); }
+
+private:
+    ProgressLine line_;
+    std::string what_;
+    int shown_ = -1;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 /// "2 min 05 s"

@@ -129,7 +129,9 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                       "  mrose evaluate create.net --log MRCLAM_Dataset7 --report report --show 12,40\n"
                       "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
                       "  mrose evaluate create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --families --report seen\n"
-                      "The log should be one that the network was not learned from, or the part of it held out.");
+                      "The log should be one that the network was not learned from, or the part of it held out.\n"
+                      "Sensors are those that report landmarks or robots: a learned localisation is judged by what\n"
+                      "mrose train says of what it held out, and by nothing else.");
     addOverwrite(*sub, common);
     sub->add_option("NET", flags->what.network, "Network file")->required();
     sub->add_option("--log", flags->what.log, "The log to compare with")->required();

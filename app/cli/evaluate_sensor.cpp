@@ -44,24 +44,6 @@ void printTable(const SensorEvaluation& evaluation, const std::vector<std::strin
     for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
 }
 
-/// Shows how families are learned.
-class FamiliesDisplay {
-public:
-    explicit FamiliesDisplay(bool quiet) : line_(quiet) {}
-
-    bool operator()(double share) {
-        const int percent = static_cast<int>(100 * share), shown = line_.terminal() ? percent : percent / 25;
-        if (shown != shown_) line_.show("learning the other families: " + std::to_string(percent) + " %");
-        shown_ = shown;
-        return !wasInterrupted();
-    }
-    void end() { line_.clear(); }
-
-private:
-    ProgressLine line_;
-    int shown_ = -1;
-};
-
 }  // namespace
 
 int runEvaluateSensor(const EvaluateSensorRequest& request, const std::string& folder, const CommonFlags& common) {
@@ -69,7 +51,7 @@ int runEvaluateSensor(const EvaluateSensorRequest& request, const std::string& f
         if (const auto writable = checkSensorReportFolder(folder, common.overwrite); !writable)
             return report(writable.error());
     watchInterrupts();
-    FamiliesDisplay display(common.quiet);
+    LearningDisplay display(common.quiet, "learning the other families");
     const auto evaluated = evaluateSensor(request, std::ref(display), goesOn);
     display.end();
     if (wasInterrupted()) return reportInterrupted();

@@ -118,12 +118,19 @@ int runInspect(const InspectRequest& request, const CommonFlags& common) {
         std::puts(inspectionJson(*log).c_str());
         return success;
     }
-    std::printf("%s: %s%s, %zu robot%s, %zu file%s\n", log->source.c_str(), log->format.c_str(),
-                log->synthetic ? " (synthetic)" : "", log->robots.size(), log->robots.size() == 1 ? "" : "s",
-                log->files.size(), log->files.size() == 1 ? "" : "s");
+    std::printf("%s: %s%s, %s, %s%s\n", log->source.c_str(), log->format.c_str(), log->synthetic ? " (synthetic)" : "",
+                counted(log->robots.size(), "robot").c_str(),
+                counted(log->files.size() + log->measurementFiles.size(), "file").c_str(),
+                log->measurementFiles.empty()
+                    ? ""
+                    : (", " + std::to_string(log->measurementFiles.size()) + " of them of measurements").c_str());
     for (const std::string& missing : log->incomplete) std::printf("Note: %s\n", missing.c_str());
     if (!log->hasMeasurements()) std::puts("The log holds no measurements: nothing that sensors reported.");
     for (const RobotInspection& robot : log->robots) printRobot(robot);
+    if (log->hasMeasurements())
+        std::puts(
+            "\nOf sensors ± is a robust spread after \"every\" and \"off the ground truth\", and one standard error "
+            "after \"late by\" and \"changed\".");
     return success;
 }
 

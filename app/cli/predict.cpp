@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "common.h"
+#include "io/format.h"
 #include "workflow/predict_readings.h"
 #include "workflow/predict_windows.h"
 
@@ -32,8 +33,9 @@ int runReadings(PredictReadingsRequest request, const CommonFlags& common) {
             {"queries", predicted->queries}, {"predictions", request.output}, {"notices", predicted->notices}};
         std::puts(json.dump(2).c_str());
     } else if (!common.quiet) {
-        std::printf("%s: %zu readings predicted, %d samples of each\n", request.output.c_str(), predicted->queries,
-                    request.samples);
+        std::printf("%s: %s predicted, %s of each\n", request.output.c_str(),
+                    counted(predicted->queries, "reading").c_str(),
+                    counted(static_cast<std::size_t>(request.samples), "sample").c_str());
         for (const std::string& notice : predicted->notices) std::printf("Note: %s\n", notice.c_str());
     }
     return success;
@@ -53,7 +55,8 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "  mrose predict create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --queries queries.csv -o samples.csv\n"
         "The queries file has the columns dataset,robot,t,subject; the output "
         "dataset,robot,t,subject,p_detect,sample,\n"
-        "range_m,bearing_rad. Predictions use no reading of the log.");
+        "range_m,bearing_rad. Predictions use no reading of the log. A learned localisation is not asked.\n"
+        "dataset is the number of an MRCLAM data set, as 7, and 0 for all other logs.");
     addOverwrite(*sub, common);
     sub->add_option("NET", request->network, "Network file")->required();
     sub->add_option("--log", request->log, "The log to predict")->required();

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "common.h"
+#include "io/format.h"
 #include "report/program_json.h"
 #include "workflow/train_network.h"
 #include "workflow/train_sensor.h"
@@ -230,23 +231,6 @@ int runTrain(const TrainRequest& request, const CommonFlags& common) {
     return trained->cancelled ? interruptedStatus() : success;
 }
 
-/// Shows how learning a sensor goes.
-class SensorDisplay {
-public:
-    explicit SensorDisplay(bool quiet) : line_(quiet) {}
-
-    bool operator()(double share) {
-        const int percent = static_cast<int>(100 * share);
-        if (percent != shown_) line_.show("learned " + std::to_string(percent) + " %");
-        shown_ = percent;
-        return !wasInterrupted();
-    }
-
-private:
-    ProgressLine line_;
-    int shown_ = -1;
-};
-
 void printSensor(const TrainedSensor& trained, const std::string& file, double seconds) {
     const SensorNetwork& n = trained.network;
     for (const std::string& notice : trained.notices) std::printf("Note: %s\n", notice.c_str());
@@ -255,14 +239,16 @@ void printSensor(const TrainedSensor& trained, const std::string& file, double s
                 static_cast<int>(n.learned.inputs.size()), static_cast<long long>(n.heldOut.looks),
                 static_cast<long long>(n.heldOut.readings),
                 n.measures == SensorNetwork::Measures::pose ? "poses" : "readings", durationText(seconds).c_str());
-    std::printf("latency %.0f ms; held out, mean log-likelihood: detection %.4f, error %.4f\n",
-                1e3 * toSeconds(n.latency), n.heldOut.reported, n.heldOut.error);
+    // where each look has a report there is nothing to predict
+    const bool gaps = n.heldOut.reported < -5e-5;
+    std::printf("latency %.0f ms; held out, mean log-likelihood: %serror %.4f\n", 1e3 * toSeconds(n.latency),
+                gaps ? ("detection " + fixed(n.heldOut.reported, 4) + ", ").c_str() : "", n.heldOut.error);
 }
 
 int runTrainSensor(const TrainSensorRequest& request, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
     watchInterrupts();
-    SensorDisplay display(common.quiet);
+    LearningDisplay display(common.quiet, "learning");
     const auto trained = trainSensor(request, std::ref(display));
     if (!trained && wasInterrupted()) return reportInterrupted();
     if (!trained) return report(trained.error());

@@ -16,6 +16,7 @@ namespace mrose {
 namespace {
 
 constexpr std::string_view queryColumns[] = {"dataset", "robot", "t", "subject"};
+constexpr const char* noNumber = "; dataset is 0 where the log has no number";
 constexpr CellKind queryKinds[] = {CellKind::number, CellKind::text, CellKind::instant, CellKind::text};
 
 /// A query's place in a log.
@@ -66,8 +67,10 @@ Expected<std::vector<SensorQuery>> parseQueries(std::string_view content, const 
     for (std::size_t i = 0; i < at.size(); ++i) {
         at[i] = static_cast<std::size_t>(std::ranges::find(header, queryColumns[i]) - header.begin());
         if (at[i] == header.size())
-            return fail(fileName, "the header has no such column; expected dataset,robot,t,subject", rows->headerLine(),
-                        std::string(queryColumns[i]));
+            return fail(fileName,
+                        std::string("the header has no such column; expected dataset,robot,t,subject") +
+                            (i == 0 ? noNumber : ""),
+                        rows->headerLine(), std::string(queryColumns[i]));
         kinds[at[i]] = queryKinds[i];
     }
     rows->setKinds(std::move(kinds));
@@ -75,7 +78,8 @@ Expected<std::vector<SensorQuery>> parseQueries(std::string_view content, const 
     while (rows->next()) {
         for (std::size_t i = 0; i < at.size(); ++i)
             if (!rows->cells()[at[i]].present)
-                return tl::unexpected(rows->about(std::string(queryColumns[i]), "the cell is empty"));
+                return tl::unexpected(rows->about(std::string(queryColumns[i]),
+                                                  std::string("the cell is empty") + (i == 0 ? noNumber : "")));
         const double dataset = rows->cells()[at[0]].number;
         if (dataset != std::floor(dataset) || std::abs(dataset) > 1e9)
             return tl::unexpected(rows->about("dataset", "is no whole number"));

@@ -1,4 +1,6 @@
 // mrose evaluate of a learned sensor.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -89,6 +91,23 @@ TEST_F(EvaluateSensorProgram, LearningASensorKnowsNoFlagsOfMotion) {
     const auto json = nlohmann::json::parse(printed.out);
     EXPECT_EQ(json["family"], "table");
     EXPECT_GT(json["readings"], 200);
+}
+
+TEST_F(EvaluateSensorProgram, ProgressIsAboutTenLinesWithoutATerminal) {
+    const ProgramResult trained = runMrose(
+        {"train", folder_.path(), "--sensor", "camera", "-o", path("x.net"), "--epochs", "60", "--hidden", "4"});
+    ASSERT_EQ(trained.status, 0) << trained.err;
+    const auto lines = std::ranges::count(trained.err, '\n');
+    EXPECT_GE(lines, 4);
+    EXPECT_LE(lines, 11);
+    EXPECT_THAT(trained.err, HasSubstr(" left\n"));
+}
+
+TEST_F(EvaluateSensorProgram, InspectCountsFilesOfMeasurementsAndSaysWhatErrorsAre) {
+    const ProgramResult shown = runMrose({"inspect", folder_.path()});
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    EXPECT_THAT(shown.out, HasSubstr(" of them of measurements\n"));
+    EXPECT_THAT(shown.out, HasSubstr("one standard error"));
 }
 
 TEST_F(EvaluateSensorProgram, WhatDoesNotFitIsSaidInOneLine) {

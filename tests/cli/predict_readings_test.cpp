@@ -117,6 +117,21 @@ TEST_F(PredictReadings, NoReadingOfTheLogIsRead) {
     EXPECT_FALSE(predictions == predicted(path("elsewhere.csv"), queries));
 }
 
+TEST_F(PredictReadings, SaysWhichDatasetALogWithoutNumberIs) {
+    const Log log = twoCameras();
+    ASSERT_TRUE(writeCsv(path("log.csv"), log));
+    const auto words = [&](const std::string& queries) {
+        return std::vector<std::string>{
+            "predict", path("some.net"), "--log", path("log.csv"),      "--queries", queries, "--samples",
+            "1",       "--overwrite",    "-o",    path("predicted.csv")};
+    };
+    expectOneLine(runMrose(words(write("none.csv", "robot,t,subject\n"))),
+                  {"none.csv:1: dataset", "dataset is 0 where the log has no number"});
+    const ProgramResult done = runMrose(words(queriesOf(log)));
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_THAT(done.out, testing::HasSubstr(" readings predicted, 1 sample of each\n"));
+}
+
 /// The looks of such a folder are the stamps of its readings: one reading of each stays.
 TEST_F(PredictReadings, NoReadingOfAnMrclamFolderIsRead) {
     const CameraFolder folder;
