@@ -364,6 +364,15 @@ TEST_F(OverlayTest, ScriptsAskForFiguresAndOpenTheWorst) {
     EXPECT_THAT(words, testing::ElementsAre("pioneer reference"));
 }
 
+TEST_F(OverlayTest, SeekingEndsWhereTheRolloutDoes) {
+    ASSERT_TRUE(runScript(window.scripted(), "open_log('" + shipped() + "')\nseek(3600)\n", "s.lua",
+                          {[](const std::string&) {}, [](const std::string& mistake) { ADD_FAILURE() << mistake; }}));
+    settleAll();
+    const auto end = overlay.shown().endTick();
+    ASSERT_TRUE(end);
+    EXPECT_EQ(window.session().current()->tick(), *end);
+}
+
 /// The real logs, where they are.
 class MrclamOverlayTest : public OverlayTest {
 protected:

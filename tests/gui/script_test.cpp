@@ -122,6 +122,8 @@ TEST_F(ScriptTest, MistakesEndItWithTheirLine) {
         {"tick_forward('a')", "tour.lua:1: tick_forward(): takes no text"},
         {"open()", "tour.lua:1: open(): expected a text"},
         {"screenshot('/nowhere/a.png')", "tour.lua:1: screenshot(): /nowhere/a.png: cannot be written"},
+        {"screenshot('a.png', 'inspector')",
+         "tour.lua:1: screenshot(): the panel \"inspector\" is folded, as it has nothing to show"},
         {"screenshot('a.png', 'kitchen')", "tour.lua:1: screenshot(): kitchen is no part of the window"},
         {"local x = robot[99]", "tour.lua:1: there is no robot 99: there are 8 robots"},
         {"os.exit(3)", "tour.lua:1: unknown name 'os'"},
@@ -154,7 +156,9 @@ TEST_F(ScriptTest, NumbersOfTheInspectorArePlotted) {
 }
 
 TEST_F(ScriptTest, PicturesShowTheWindowOrAPartOfIt) {
-    EXPECT_EQ(run("screenshot('" + path("a.png") + "')\nscreenshot('" + path("b.png") + "', 'inspector')"), "");
+    EXPECT_EQ(
+        run("select('red 2')\nscreenshot('" + path("a.png") + "')\nscreenshot('" + path("b.png") + "', 'inspector')"),
+        "");
     EXPECT_EQ(QImage(path("a.png").c_str()).size(), window.size());
     const QImage part(path("b.png").c_str());
     EXPECT_EQ(part.size(), window.findChild<QWidget*>("inspector")->size());

@@ -129,7 +129,12 @@ Docks::Panel& Docks::panelOf(const QObject* dock) {
     return *std::find_if(panels_.begin(), panels_.end(), [&](const Panel& panel) { return panel.dock == dock; });
 }
 
-bool Docks::Panel::folded() const { return dock->features().testFlag(QDockWidget::DockWidgetVerticalTitleBar); }
+bool Docks::isFolded(const QWidget& part) {
+    const auto* const dock = qobject_cast<const QDockWidget*>(&part);
+    return dock != nullptr && dock->features().testFlag(QDockWidget::DockWidgetVerticalTitleBar);
+}
+
+bool Docks::Panel::folded() const { return isFolded(*dock); }
 
 void Docks::setEmpty(const char* name, bool empty) {
     if (std::exchange(panelOf(&(*this)[name]).empty, empty) == empty) return;

@@ -37,6 +37,8 @@ public:
     void keepAsNew();
 
     QDockWidget& operator[](const char* name) const;
+    /// It is a panel that has nothing to show, and a narrow bar.
+    static bool isFolded(const QWidget& part);
     /// There is nothing to be seen in it, or is again. What the mouse holds in the field does not move meanwhile, nor
     /// between two clicks.
     void setEmpty(const char* name, bool empty);

@@ -1,5 +1,6 @@
 #include "reality/shown_rollout.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "files/window_files.h"
@@ -215,6 +216,18 @@ void ShownRollout::finishComing() {
 /// Whether the window shows one of the rollouts that follow each other.
 bool ShownRollout::inRollouts() const {
     return rollouts_.follow() && rollouts_.shown() && frame_.session.current()->run == run_;
+}
+
+std::optional<std::int64_t> ShownRollout::endTick() const {
+    const Shown* const shown = frame_.session.current().get();
+    if (shown == nullptr || !rollouts_.shown() || shown->run != run_ || shown->branch != 0) return std::nullopt;
+    return shown->frame->scene().ticksOf(rollouts_.length(*rollouts_.shown()));
+}
+
+void ShownRollout::seek(std::int64_t tick) {
+    const std::int64_t end = endTick().value_or(tick);
+    frame_.session.seek(std::min(tick, end));
+    if (tick > end) frame_.status.say(tr("The rollout ends here: what the log commands next is not played"));
 }
 
 bool ShownRollout::atRolloutEnd() const {

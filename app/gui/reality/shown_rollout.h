@@ -49,6 +49,11 @@ public:
     /// That branch of it which rows and comparison describe: its first one, after a reload the one that began then.
     /// nullopt: it is not there yet.
     std::optional<std::uint32_t> comparedBranch() const { return compared_; }
+    /// The tick at which the shown rollout's own run ends; nullopt: no such run is shown. Beyond it the log's commands
+    /// are not played.
+    std::optional<std::int64_t> endTick() const;
+    /// As Session::seek(), but not beyond that end, which is said.
+    void seek(std::int64_t tick);
     bool showsCompared() const { return shownBranch_ == compared_; }
     void setRobot(std::optional<std::size_t> robot);  ///< that is asked about; nullopt: the same one
     /// What models make of it, and why it leaves the real one.

@@ -15,6 +15,7 @@
 #include "condition/condition.h"
 #include "export/view_export.h"
 #include "frame/actions.h"
+#include "frame/docks.h"
 #include "panels/plot_panel.h"
 #include "panels/time_bar.h"
 #include "reality/error_plot.h"
@@ -300,9 +301,8 @@ private:
     }
 
     Expected<Value> goTo(double tick) {
-        constexpr double latest = 1e9;
-        if (!(tick >= 0 && tick <= latest)) return fail("", "is no time of this run");
-        window_.frame.session.seek(std::llround(tick));
+        if (!(tick >= 0 && tick <= 1e9)) return fail("", "is no time of this run");
+        window_.overlay.shown().seek(std::llround(tick));
         return Value{};
     }
 
@@ -361,6 +361,8 @@ private:
         gui::settle(window_);
         QWidget* widget = what == "window" ? &window_.frame.window : window_.frame.window.findChild<QWidget*>(what);
         if (widget == nullptr) return fail("", what.toStdString() + " is no part of the window");
+        if (Docks::isFolded(*widget))
+            return fail("", "the panel \"" + what.toStdString() + "\" is folded, as it has nothing to show");
         if (auto saved = writeWidget(*widget, file); !saved) return tl::unexpected(saved.error());
         return Value{};
     }
