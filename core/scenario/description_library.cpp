@@ -121,15 +121,16 @@ std::shared_ptr<const LearnedSensor> DescriptionLibrary::sensor(TomlTable& table
 const Value* DescriptionLibrary::sensorPreset(TomlTable& table, std::string_view key, const std::string& from) {
     const Value::File file = this->file(table, key, from, "resources/sensors", Holds::tables);
     if (!file) return nullptr;
-    Value::File& preset = presets_[file];
-    if (!preset) {
+    Preset& preset = presets_[file];
+    if (!preset.file) {
         auto checked = readSensorPreset(file, *this);
         if (!checked) return table.adopt(checked.error()), nullptr;
-        preset =
+        preset.keys = presetKeys(*checked);
+        preset.file =
             std::make_shared<const DescriptionFile>(DescriptionFile{file->name, file->reference, std::move(*checked)});
     }
-    table.resolve(key, preset);
-    return &preset->content;
+    table.resolve(key, preset.file);
+    return &preset.keys;
 }
 
 SensorSources DescriptionLibrary::sensorSources(const std::string& from, std::shared_ptr<const Shape> shape) {

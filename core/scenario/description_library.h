@@ -58,7 +58,12 @@ private:
     std::map<Value::File, std::shared_ptr<const Shape>> shapes_;
     std::map<Value::File, MotionNetwork> networks_;
     std::map<Value::File, std::shared_ptr<const LearnedSensor>> sensors_;
-    std::map<Value::File, Value::File> presets_;  ///< checked, with what they refer to, by the files as they were
+    /// Checked, with what it refers to, and what of it is for robot files.
+    struct Preset {
+        Value::File file;
+        Value keys;
+    };
+    std::map<Value::File, Preset> presets_;  ///< by the files as they were
     std::map<std::tuple<const MotionNetwork*, Nanoseconds, Nanoseconds>, std::shared_ptr<const LearnedMotion>> motions_;
 };
 

@@ -15,9 +15,12 @@ Expected<Value> readSensorPreset(const Value::File& file, DescriptionLibrary& li
     readSensor(root, traits, library.sensorSources(file->name));
     root.rejectUnknown();
     if (root.failed()) return tl::unexpected(root.error());
-    Value keys = root.resolved();
-    for (const char* const ofFile : {"format", "version", "name", "source"}) keys = keys.without(ofFile);
-    return keys;
+    return root.resolved();
+}
+
+Value presetKeys(Value content) {
+    for (const char* const ofFile : {"format", "version", "name", "source"}) content = content.without(ofFile);
+    return content;
 }
 
 }  // namespace mrose

@@ -25,8 +25,9 @@ public:
 
     /// What is remembered of a segment.
     struct Memory {
-        std::int64_t pressed = -1;  ///< the last tick in which it was
-        std::uint64_t touches = 0;  ///< that have begun
+        static constexpr std::int64_t never = -(std::int64_t{1} << 62);
+        std::int64_t pressed = never;  ///< the last tick in which it was
+        std::uint64_t touches = 0;     ///< that have begun
     };
 
     std::string name() const override { return traits_.name; }

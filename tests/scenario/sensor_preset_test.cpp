@@ -23,25 +23,25 @@ std::map<std::string, std::string> sensingWorld(const std::string& sensor, const
     return texts;
 }
 
-SensorPointer sensorOf(const std::string& sensor, const std::string& preset = scanner) {
+SensorPointer loadedSensor(const std::string& sensor, const std::string& preset = scanner) {
     const auto loaded = loadFrom(sensingWorld(sensor, preset));
     EXPECT_TRUE(loaded) << loaded.error().message();
     return loaded ? Scenario(loaded->parts).sensors(0)[3] : nullptr;
 }
 
-std::string errorOf(const std::string& sensor, const std::string& preset = scanner) {
+std::string sensorRefusal(const std::string& sensor, const std::string& preset = scanner) {
     const auto loaded = loadFrom(sensingWorld(sensor, preset));
     return loaded ? "" : loaded.error().message();
 }
 
 TEST(SensorPreset, ItsKeysHoldWhereTheRobotFileHasNone) {
-    const SensorPointer plain = sensorOf("preset = \"scanner.toml\"\n");
+    const SensorPointer plain = loadedSensor("preset = \"scanner.toml\"\n");
     ASSERT_TRUE(plain);
     EXPECT_EQ(plain->name(), "s");
     ASSERT_EQ(plain->elements().size(), 5u);
     EXPECT_EQ(plain->elements()[0].range, 4);
     const SensorPointer other =
-        sensorOf("preset = \"scanner.toml\"\nbeams = 9\nposition_m = [0.1, 0]\nperiod_s = 0.3\n");
+        loadedSensor("preset = \"scanner.toml\"\nbeams = 9\nposition_m = [0.1, 0]\nperiod_s = 0.3\n");
     ASSERT_TRUE(other);
     ASSERT_EQ(other->elements().size(), 9u);
     EXPECT_EQ(other->elements()[8].mount.x, 0.1);
@@ -61,51 +61,55 @@ TEST(SensorPreset, IsInTheScenariosValue) {
 
 TEST(SensorPreset, AMistakeInItIsToldAsItsOwn) {
     const std::string named = "preset = \"scanner.toml\"\n";
-    EXPECT_THAT(errorOf(named, scanner + "beam = 3\n"), HasSubstr("scanner.toml:10:8: beam: is not a known key"));
-    EXPECT_THAT(errorOf(named, presetHead), HasSubstr("scanner.toml:1:1: kind: is missing"));
-    EXPECT_THAT(errorOf(named, "format = \"mrose sensor\"\nversion = 1\nname = \"a\"\nkind = \"laser\"\n"),
+    EXPECT_THAT(sensorRefusal(named, scanner + "beam = 3\n"), HasSubstr("scanner.toml:10:8: beam: is not a known key"));
+    EXPECT_THAT(sensorRefusal(named, presetHead), HasSubstr("scanner.toml:1:1: kind: is missing"));
+    EXPECT_THAT(sensorRefusal(named, "format = \"mrose sensor\"\nversion = 1\nname = \"a\"\nkind = \"laser\"\n"),
                 HasSubstr("scanner.toml:1:1: source: is missing"));
-    EXPECT_THAT(errorOf(named, scanner + "preset = \"other.toml\"\n"), HasSubstr("preset: is not a known key"));
-    EXPECT_THAT(errorOf("preset = \"none.toml\"\n"), HasSubstr("sensor[\"s\"].preset: \"none.toml\" was not found"));
-    EXPECT_THAT(errorOf("preset = \"disc.toml\"\n"), HasSubstr("disc.toml:1:10: format: is \"mrose shape\""));
-    EXPECT_THAT(errorOf(named + "beam = 3\n"), HasSubstr("r.toml"));
+    EXPECT_THAT(sensorRefusal(named, scanner + "preset = \"other.toml\"\n"), HasSubstr("preset: is not a known key"));
+    EXPECT_THAT(sensorRefusal("preset = \"none.toml\"\n"),
+                HasSubstr("sensor[\"s\"].preset: \"none.toml\" was not found"));
+    EXPECT_THAT(sensorRefusal("preset = \"disc.toml\"\n"), HasSubstr("disc.toml:1:10: format: is \"mrose shape\""));
+    EXPECT_THAT(sensorRefusal(named + "beam = 3\n"), HasSubstr("r.toml"));
 }
 
 TEST(SensorFiles, WhatIsWrongIsOneLineWithFileLineAndKey) {
     const std::string laser = "kind = \"laser\"\nstart_deg = -90\nend_deg = 90\n";
-    EXPECT_EQ(errorOf(laser + "beams = 181\n"), "");
+    EXPECT_EQ(sensorRefusal(laser + "beams = 181\n"), "");
     for (const char* const beams : {"0", "1000000", "-1", "1.5"})
         EXPECT_THAT(
-            errorOf(laser + "beams = " + beams + "\n"),
+            sensorRefusal(laser + "beams = " + beams + "\n"),
             testing::MatchesRegex("r.toml:[0-9]+:9: sensor\\[\"s\"\\].beams: expected a whole number from 1 to 4096"));
-    EXPECT_THAT(errorOf("kind = \"laser\"\nstart_deg = -190\nend_deg = 180\nbeams = 10\n"),
+    EXPECT_THAT(sensorRefusal("kind = \"laser\"\nstart_deg = -190\nend_deg = 180\nbeams = 10\n"),
                 HasSubstr("sensor[\"s\"].end_deg: is 370.0 degrees from start_deg; expected up to 360"));
-    EXPECT_THAT(errorOf("kind = \"laser\"\nstart_deg = 10\nend_deg = 0\nbeams = 10\n"), HasSubstr("end_deg: is -10.0"));
-    EXPECT_THAT(errorOf(laser + "beams = 1\n"), HasSubstr("and 0 with a single beam alone"));
-    EXPECT_THAT(errorOf(laser + "beams = 2\nposition_m = [3.0, 0.0]\n"),
+    EXPECT_THAT(sensorRefusal("kind = \"laser\"\nstart_deg = 10\nend_deg = 0\nbeams = 10\n"),
+                HasSubstr("end_deg: is -10.0"));
+    EXPECT_THAT(sensorRefusal(laser + "beams = 1\n"), HasSubstr("and 0 with a single beam alone"));
+    EXPECT_THAT(sensorRefusal(laser + "beams = 2\nposition_m = [3.0, 0.0]\n"),
                 HasSubstr("sensor[\"s\"].position_m: is at 3.0, 0.0, outside of the robot's shape"));
-    EXPECT_THAT(errorOf(laser + "beams = 2\nleast_range_m = 9\n"),
+    EXPECT_THAT(sensorRefusal(laser + "beams = 2\nleast_range_m = 9\n"),
                 HasSubstr("least_range_m: is 9.0; expected 0.0 to 8.0"));
-    EXPECT_THAT(errorOf(laser + "beams = 2\nlatency_s = 2\n"), HasSubstr("latency_s: is 2.0; expected 0.0 to 1.0"));
+    EXPECT_THAT(sensorRefusal(laser + "beams = 2\nlatency_s = 2\n"),
+                HasSubstr("latency_s: is 2.0; expected 0.0 to 1.0"));
     const std::string sonar = "kind = \"sonar\"\ncone_deg = 30\n";
-    EXPECT_EQ(errorOf(sonar + "ring = { count = 4, radius_m = 0.1 }\n"), "");
-    EXPECT_THAT(errorOf(sonar), HasSubstr("expected either `ring` or `elements`"));
-    EXPECT_THAT(errorOf(sonar + "ring = { count = 65, radius_m = 0.1 }\n"),
+    EXPECT_EQ(sensorRefusal(sonar + "ring = { count = 4, radius_m = 0.1 }\n"), "");
+    EXPECT_THAT(sensorRefusal(sonar), HasSubstr("expected either `ring` or `elements`"));
+    EXPECT_THAT(sensorRefusal(sonar + "ring = { count = 65, radius_m = 0.1 }\n"),
                 HasSubstr("ring.count: expected a whole number from 1 to 64"));
-    EXPECT_THAT(errorOf(sonar + "ring = { count = 4, radius_m = 3 }\n"), HasSubstr("ring: is at 3.0, 0.0, outside"));
-    EXPECT_THAT(errorOf(sonar + "elements = [{ x_m = 0, y_m = 3 }]\n"), HasSubstr("is at 0.0, 3.0, outside"));
-    EXPECT_THAT(errorOf("kind = \"sonar\"\ncone_deg = 190\nring = { count = 4, radius_m = 0.1 }\n"),
+    EXPECT_THAT(sensorRefusal(sonar + "ring = { count = 4, radius_m = 3 }\n"),
+                HasSubstr("ring: is at 3.0, 0.0, outside"));
+    EXPECT_THAT(sensorRefusal(sonar + "elements = [{ x_m = 0, y_m = 3 }]\n"), HasSubstr("is at 0.0, 3.0, outside"));
+    EXPECT_THAT(sensorRefusal("kind = \"sonar\"\ncone_deg = 190\nring = { count = 4, radius_m = 0.1 }\n"),
                 HasSubstr("cone_deg: is 190.0; expected"));
-    EXPECT_THAT(errorOf("kind = \"infrared\"\nring = { count = 4, radius_m = 0.1 }\nrange_m = 0.8\n"),
+    EXPECT_THAT(sensorRefusal("kind = \"infrared\"\nring = { count = 4, radius_m = 0.1 }\nrange_m = 0.8\n"),
                 HasSubstr("reference_m: is missing"));
-    EXPECT_EQ(errorOf("kind = \"bumpers\"\nring = { count = 6 }\n"), "");
-    EXPECT_THAT(errorOf("kind = \"bumpers\"\nring = { count = 0 }\n"),
+    EXPECT_EQ(sensorRefusal("kind = \"bumpers\"\nring = { count = 6 }\n"), "");
+    EXPECT_THAT(sensorRefusal("kind = \"bumpers\"\nring = { count = 0 }\n"),
                 HasSubstr("ring.count: expected a whole number from 1 to 64"));
-    EXPECT_THAT(errorOf("kind = \"bumpers\"\nsegments = [{ start_deg = 10, end_deg = 10 }]\n"),
+    EXPECT_THAT(sensorRefusal("kind = \"bumpers\"\nsegments = [{ start_deg = 10, end_deg = 10 }]\n"),
                 HasSubstr("end_deg: expected more than start_deg"));
-    EXPECT_THAT(errorOf("kind = \"bumpers\"\nsegments = []\n"), HasSubstr("segments: has 0; expected 1 to 64"));
-    EXPECT_EQ(errorOf("kind = \"wheel_encoders\"\nticks_per_m = 1000\ntrack_m = 0.3\n"), "");
-    EXPECT_THAT(errorOf("kind = \"wheel_encoders\"\nticks_per_m = 0\ntrack_m = 0.3\n"),
+    EXPECT_THAT(sensorRefusal("kind = \"bumpers\"\nsegments = []\n"), HasSubstr("segments: has 0; expected 1 to 64"));
+    EXPECT_EQ(sensorRefusal("kind = \"wheel_encoders\"\nticks_per_m = 1000\ntrack_m = 0.3\n"), "");
+    EXPECT_THAT(sensorRefusal("kind = \"wheel_encoders\"\nticks_per_m = 0\ntrack_m = 0.3\n"),
                 HasSubstr("ticks_per_m: is 0.0; expected 1.0 to"));
 }
 

@@ -13,7 +13,7 @@
 namespace mrose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double widestSlot = 2 * 4.0 / Horizon::slotCount;  // rad: turns grow by half an angle at least
 
 double turnOf(double angle) { return Horizon::turnOf(towards(angle)); }
