@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/pose.h"
 #include "sensing/sensor_view.h"
 
 namespace mrose {
