@@ -57,6 +57,7 @@ void BeamFan::castAt(const Outlines& outlines, const Outlines::Polygon& polygon,
     const double *const dx = x_.data(), *const dy = y_.data();
     const std::span<const Point> corners = outlines.corners().subspan(polygon.first, polygon.end - polygon.first);
     const auto count = static_cast<unsigned>(corners.size());
+    if (count == 0) return;
     // The edges that face the origin, each by its right end: one after the other.
     unsigned facing = 0;
     for (unsigned i = 0; i < count; ++i)
