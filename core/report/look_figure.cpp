@@ -67,9 +67,9 @@ ViewPlot viewOf(const SensorEvaluation& evaluation, const SightView& sight) {
 class SubjectLabels {
 public:
     SubjectLabels(const SensorEvaluation& evaluation, const SightView& sight, ViewPlot& view) : view_(view) {
+        const double apart = 8 * view.plot().unitsPerPixel();
         for (const double bearing : {-sight.half, 0.0, sight.half})
-            for (double range = 0; range < sight.range; range += 8 * view.plot().unitsPerPixel())
-                marks_.push_back(pixels(ViewPlot::place(range, bearing)));
+            for (int i = 0; i * apart < sight.range; ++i) marks_.push_back(pixels(ViewPlot::place(i * apart, bearing)));
         forEachCase(evaluation, [&](std::size_t, const LoggedCase& one) {
             marks_.push_back(pixels(ViewPlot::place(one.range, one.bearing)));
             if (!one.reported) return;
