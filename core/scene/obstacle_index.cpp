@@ -68,18 +68,15 @@ ObstacleIndex::ObstacleIndex(const Environment& environment, double margin)
     std::vector<Point> places;
     for (const Landmark& landmark : landmarks_) places.push_back(landmark.position);
     landmarkGrid_.fill(places, 0, 1);
-    for (std::uint32_t i = 0; i < environment.obstacles.size(); ++i) {
-        const Shape& shape = environment.obstacles[i].shape;
-        for (std::size_t k = 0; k < shape.pieces.size(); ++k) {
+    for (std::uint32_t i = 0; i < environment.obstacles.size(); ++i)
+        for (const ConvexPiece& piece : environment.obstacles[i].shape.pieces) {
             all_.push_back(static_cast<std::uint32_t>(pieces_.size()));
-            pieces_.push_back(shape.pieces[k]);
-            boxes_.push_back(boxOf(shape.pieces[k]));
+            pieces_.push_back(piece);
+            boxes_.push_back(boxOf(piece));
             surfaces_.push_back(environment.obstacles[i].surface);
             obstacles_.push_back(i);
-            parts_.push_back(shape.partOfPiece[k]);
             ofWall_.push_back(environment.obstacles[i].wall ? 1 : 0);
         }
-    }
     if (pieces_.empty()) return;
     Box all = boxes_.front();
     for (const Box& box : boxes_) {

@@ -20,7 +20,6 @@ public:
     const std::vector<ConvexPiece>& pieces() const { return pieces_; }
     const Surface& surfaceOf(std::uint32_t piece) const { return surfaces_[piece]; }
     std::uint32_t obstacleOf(std::uint32_t piece) const { return obstacles_[piece]; }
-    std::uint32_t partOf(std::uint32_t piece) const { return parts_[piece]; }  ///< of that obstacle's shape
     bool ofWall(std::uint32_t piece) const { return ofWall_[piece] != 0; }
 
     std::span<const Landmark> landmarks() const { return landmarks_; }
@@ -72,7 +71,7 @@ private:
 
     std::vector<ConvexPiece> pieces_;
     std::vector<Surface> surfaces_;
-    std::vector<std::uint32_t> obstacles_, parts_;
+    std::vector<std::uint32_t> obstacles_;
     std::vector<char> ofWall_;
     std::vector<Box> boxes_;
     CoarseGrid coarse_;

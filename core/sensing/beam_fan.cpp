@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -52,8 +53,7 @@ void BeamFan::visitPairs(double right, double left, Visit visit) const {
     if (from + width >= wholeCircle) visitFrom(-step_, from + width - wholeCircle);
 }
 
-template <class Met>
-void BeamFan::castAt(const Outlines& outlines, const Outlines::Polygon& polygon, double* range, Met met) const {
+void BeamFan::castAt(const Outlines& outlines, const Outlines::Polygon& polygon, double* range) const {
     const double *const dx = x_.data(), *const dy = y_.data();
     const std::span<const Point> corners = outlines.corners().subspan(polygon.first, polygon.end - polygon.first);
     const auto count = static_cast<unsigned>(corners.size());
@@ -78,7 +78,6 @@ void BeamFan::castAt(const Outlines& outlines, const Outlines::Polygon& polygon,
                 const double distance = height / (ofRight + ofLeft);
                 const bool meets = (ofRight >= 0) & (ofLeft >= 0) & (distance < range[beam]);
                 range[beam] = meets ? distance : range[beam];
-                met(beam, meets);
             }
         });
         left = right;
@@ -86,8 +85,7 @@ void BeamFan::castAt(const Outlines& outlines, const Outlines::Polygon& polygon,
     }
 }
 
-template <class Met>
-void BeamFan::castAt(const Outlines::Circle& circle, double* range, Met met) const {
+void BeamFan::castAt(const Outlines::Circle& circle, double* range) const {
     const double *const dx = x_.data(), *const dy = y_.data();
     const Point centre = circle.centre;
     const double r = circle.radius, squared = r * r, away = dot(centre, centre) - squared;
@@ -103,35 +101,15 @@ void BeamFan::castAt(const Outlines::Circle& circle, double* range, Met met) con
             const double distance = along - std::sqrt(std::max(0.0, depth));
             const bool meets = (depth >= 0) & (along > 0) & (distance < range[beam]);
             range[beam] = meets ? distance : range[beam];
-            met(beam, meets);
         }
     });
 }
 
-template <class Met>
-void BeamFan::castAll(const Outlines& outlines, std::span<double> ranges, Met met) const {
+void BeamFan::cast(const Outlines& outlines, std::span<double> ranges) const {
     assert(ranges.size() == places());
     std::fill(ranges.begin(), ranges.end(), infinitelyFar);
-    std::uint32_t number = 0;
-    const auto metIt = [&](std::size_t beam, bool meets) { met(beam, meets, number); };
-    for (const Outlines::Polygon& polygon : outlines.polygons()) {
-        castAt(outlines, polygon, ranges.data(), metIt);
-        ++number;
-    }
-    for (const Outlines::Circle& circle : outlines.circles()) {
-        castAt(circle, ranges.data(), metIt);
-        ++number;
-    }
-}
-
-void BeamFan::cast(const Outlines& outlines, std::span<double> ranges) const {
-    castAll(outlines, ranges, [](std::size_t, bool, std::uint32_t) {});
-}
-
-void BeamFan::cast(const Outlines& outlines, std::span<double> ranges, std::span<std::uint32_t> met) const {
-    std::fill(met.begin(), met.end(), nothing);
-    castAll(outlines, ranges,
-            [&](std::size_t beam, bool meets, std::uint32_t its) { met[beam] = meets ? its : met[beam]; });
+    for (const Outlines::Polygon& polygon : outlines.polygons()) castAt(outlines, polygon, ranges.data());
+    for (const Outlines::Circle& circle : outlines.circles()) castAt(circle, ranges.data());
 }
 
 }  // namespace mrose

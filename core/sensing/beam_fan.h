@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,28 +15,21 @@ public:
     BeamFan(double first, double step, std::size_t count);
 
     std::size_t size() const { return size_; }
-    /// That many places `ranges` and `met` must have: beams are cast two by two.
+    /// That many places `ranges` must have: beams are cast two by two.
     std::size_t places() const { return x_.size(); }
     double direction(std::size_t beam) const { return first_ + static_cast<double>(beam) * step_; }
 
     /// How far each beam gets until it meets an outline, m; infinite where it meets none. What the fan's origin is
     /// inside of is not met. Those beyond size() mean nothing.
     void cast(const Outlines& outlines, std::span<double> ranges) const;
-    /// Also what each meets: the number of the polygon, or that of the circle beyond those; `nothing` else.
-    static constexpr std::uint32_t nothing = 0xffffffff;
-    void cast(const Outlines& outlines, std::span<double> ranges, std::span<std::uint32_t> met) const;
 
 private:
     /// visit(beam) for pairs of beams, each by its first, that may lie between two directions: at least all those
     /// that do.
     template <class Visit>
     void visitPairs(double right, double left, Visit visit) const;
-    template <class Met>
-    void castAt(const Outlines& outlines, const Outlines::Polygon& polygon, double* range, Met met) const;
-    template <class Met>
-    void castAt(const Outlines::Circle& circle, double* range, Met met) const;
-    template <class Met>
-    void castAll(const Outlines& outlines, std::span<double> ranges, Met met) const;
+    void castAt(const Outlines& outlines, const Outlines::Polygon& polygon, double* range) const;
+    void castAt(const Outlines::Circle& circle, double* range) const;
 
     double first_, perStep_, step_;
     std::size_t size_;

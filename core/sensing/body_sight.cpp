@@ -10,6 +10,7 @@
 #include "geometry/elementary.h"
 #include "sensing/drift.h"
 #include "sensing/line_of_sight.h"
+#include "sensing/sector_box.h"
 #include "sensing/sensor_keys.h"
 #include "sensing/sensor_view.h"
 
@@ -63,20 +64,7 @@ struct Field {
     }
 
     /// Two corners of a box that holds a view whose range has an end.
-    std::pair<Point, Point> box() const {
-        Point least, most;
-        const auto hold = [&](const Point& direction) {
-            least = {std::min(least.x, direction.x), std::min(least.y, direction.y)};
-            most = {std::max(most.x, direction.x), std::max(most.y, direction.y)};
-        };
-        constexpr double rounding = 1e-9;
-        hold(frame.rotate(edge_B()));
-        hold(frame.rotate({edge, -edge_B().y}));
-        for (const Point& axis : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}})
-            if (frame.rotateBack(axis).x >= edge - rounding) hold(axis);
-        const double reach = range * (1 + rounding);
-        return {frame.origin + reach * least, frame.origin + reach * most};
-    }
+    std::pair<Point, Point> box() const { return boxOfSector(frame, edge, edge_B().y, range, 0); }
 };
 
 // So few are looked at one by one; with more of them in reach it pays to keep track of what is hidden.

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sensing/range_summary.h"
+#include "sensing/sensor_keys.h"
 #include "sensing/sensor_mount.h"
 #include "sensing/sensor_view.h"
 
@@ -14,7 +15,8 @@ constexpr int raysOfBeam = 5;  // over the width of a beam
 
 }  // namespace
 
-InfraredRing::InfraredRing(const SensorTraits& traits, const Options& options) : traits_(traits), options_(options) {
+InfraredRing::InfraredRing(const SensorTraits& traits, const Options& options)
+    : ElementSensor(traits, options.latency), reading_(traits.name), options_(options) {
     for (const Pose& element : options.elements)
         farthest_ = std::max(farthest_, length(position(element)) + options.range);
 }
@@ -46,7 +48,7 @@ void InfraredRing::sense(const SensorView& view, std::span<std::byte> /*memory*/
     if (!view.wants(0)) return;
     view.buffers.outlines.find(view, {}, {farthest_});
     const std::size_t count = options_.elements.size();
-    std::byte* const place = out.add(traits_.name, recordType<InfraredEcho>(), view.measured, count);
+    std::byte* const place = out.add(reading_, recordType<InfraredEcho>(), view.measured, count);
     auto* const echoes = reinterpret_cast<InfraredEcho*>(place);
     NoisePair noise;
     for (std::size_t i = 0; i < count; ++i) {
@@ -65,7 +67,7 @@ SensorPointer readInfraredRing(TomlTable& table, const SensorTraits& traits, con
     options.reference = table.number("reference_m", {0.001, 10});
     options.ambient = table.numberOr("ambient", 0, {0, 1});
     options.noise = table.numberOr("intensity_noise", 0, {0, 1});
-    options.latency = readLatency(table);
+    options.latency = durationOr(table, "latency_s", 0, latencies);
     return table.failed() ? nullptr : std::make_shared<const InfraredRing>(traits, options);
 }
 

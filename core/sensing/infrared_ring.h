@@ -1,7 +1,7 @@
 #pragma once
 
 #include "control/sensor_records.h"
-#include "sensing/sensor.h"
+#include "sensing/element_sensor.h"
 #include "sensing/sensor_sources.h"
 
 namespace mrose {
@@ -9,7 +9,7 @@ namespace mrose {
 /// Infrared proximity sensors: NAME has an InfraredEcho for each. What comes back of an element's light is the mean
 /// over its beam of (reference / range)^2 times the cosine of the angle at which it meets the surface, at most 1; light
 /// of the surroundings is added, and noise.
-class InfraredRing final : public Sensor {
+class InfraredRing final : public ElementSensor {
 public:
     static constexpr std::size_t mostElements = 64;
 
@@ -24,11 +24,7 @@ public:
     };
     InfraredRing(const SensorTraits& traits, const Options& options);
 
-    std::string name() const override { return traits_.name; }
-    std::vector<ReadingKind> gives() const override { return {{traits_.name, &recordType<InfraredEcho>()}}; }
-    Nanoseconds period() const override { return traits_.period; }
-    Nanoseconds latency() const override { return options_.latency; }
-    bool exact() const override { return true; }
+    std::vector<ReadingKind> gives() const override { return {{name(), &recordType<InfraredEcho>()}}; }
     std::vector<SensorElement> elements() const override;
     std::vector<MemoryEntry> summary(const Observation& all, const Reading& reading) const override;
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
@@ -36,7 +32,7 @@ public:
 private:
     double returned(const SensorView& view, const Pose& element) const;
 
-    SensorTraits traits_;
+    ReadingName reading_;
     Options options_;
     double farthest_ = 0;  ///< m, of what an element can reach from the robot's reference point
 };

@@ -6,6 +6,7 @@
 
 #include "io/format.h"
 #include "sensing/range_summary.h"
+#include "sensing/sensor_keys.h"
 #include "sensing/sensor_mount.h"
 #include "sensing/sensor_view.h"
 
@@ -17,7 +18,8 @@ constexpr double wholeFan = 2 * std::numbers::pi;
 }  // namespace
 
 Laser::Laser(const SensorTraits& traits, const Options& options)
-    : traits_(traits),
+    : ElementSensor(traits, options.latency),
+      reading_(traits.name),
       options_(options),
       fan_(-0.5 * static_cast<double>(options.beams - 1) * options.step, options.step, options.beams),
       middle_(options.mount),
@@ -46,7 +48,7 @@ void Laser::sense(const SensorView& view, std::span<std::byte> /*memory*/, Obser
     fan_.cast(outlines, view.buffers.ranges);
     const std::span<double> ranges = std::span(view.buffers.ranges).first(fan_.size());
     options_.errors.apply(view, 0, ranges);
-    std::byte* const place = out.add(traits_.name, recordType<RangeEcho>(), view.measured, fan_.size());
+    std::byte* const place = out.add(reading_, recordType<RangeEcho>(), view.measured, fan_.size());
     std::memcpy(place, echoes_.data(), fan_.size() * sizeof(RangeEcho));
     auto* const echoes = reinterpret_cast<RangeEcho*>(place);
     for (std::size_t beam = 0; beam < fan_.size(); ++beam) echoes[beam].range = ranges[beam];
@@ -64,7 +66,7 @@ SensorPointer readLaser(TomlTable& table, const SensorTraits& traits, const Sens
                                     " degrees from start_deg; expected up to 360, and 0 with a single beam alone");
     if (options.beams > 1) options.step = view / static_cast<double>(options.beams - 1);
     options.errors = readRangeErrors(table, 8, {0.01, 1000});
-    options.latency = readLatency(table);
+    options.latency = durationOr(table, "latency_s", 0, latencies);
     return table.failed() ? nullptr : std::make_shared<const Laser>(traits, options);
 }
 

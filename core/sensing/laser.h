@@ -2,14 +2,14 @@
 
 #include "control/sensor_records.h"
 #include "sensing/beam_fan.h"
+#include "sensing/element_sensor.h"
 #include "sensing/range_errors.h"
-#include "sensing/sensor.h"
 #include "sensing/sensor_sources.h"
 
 namespace mrose {
 
 /// A laser scanner: NAME has a RangeEcho for each beam, all of one instant, in the order of their directions.
-class Laser final : public Sensor {
+class Laser final : public ElementSensor {
 public:
     static constexpr std::size_t mostBeams = 4096;
 
@@ -23,17 +23,13 @@ public:
     };
     Laser(const SensorTraits& traits, const Options& options);
 
-    std::string name() const override { return traits_.name; }
-    std::vector<ReadingKind> gives() const override { return {{traits_.name, &recordType<RangeEcho>()}}; }
-    Nanoseconds period() const override { return traits_.period; }
-    Nanoseconds latency() const override { return options_.latency; }
-    bool exact() const override { return true; }
+    std::vector<ReadingKind> gives() const override { return {{name(), &recordType<RangeEcho>()}}; }
     std::vector<SensorElement> elements() const override;
     std::vector<MemoryEntry> summary(const Observation& all, const Reading& reading) const override;
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
 
 private:
-    SensorTraits traits_;
+    ReadingName reading_;
     Options options_;
     BeamFan fan_;
     Pose middle_;  ///< of the fan: where it is, facing its middle

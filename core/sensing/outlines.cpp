@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sensing/sector_box.h"
 #include "sensing/sensor_view.h"
 
 namespace mrose {
@@ -40,18 +41,6 @@ void Outlines::find(const SensorView& view, const Pose& frame_B, const Sector& s
     const auto [s, c] = sector.halfAngle < std::numbers::pi ? sineCosine(sector.halfAngle) : SineCosine{0, -1};
     halfSine_ = s;
     halfCosine_ = c;
-    Point least, most;
-    const auto hold = [&](const Point& direction) {
-        least = {std::min(least.x, direction.x), std::min(least.y, direction.y)};
-        most = {std::max(most.x, direction.x), std::max(most.y, direction.y)};
-    };
-    hold(frame_.rotate({halfCosine_, halfSine_}));
-    hold(frame_.rotate({halfCosine_, -halfSine_}));
-    for (const Point& axis : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}})
-        if (frame_.rotateBack(axis).x >= halfCosine_ - outlineRounding) hold(axis);
-    const double reach = sector.range * (1 + outlineRounding);
-    least_ = frame_.origin + reach * least;
-    most_ = frame_.origin + reach * most;
     addObstacles(view);
     addBodies(view);
 }
@@ -63,37 +52,35 @@ bool Outlines::inSector(const Point& centre, double reach) const {
     return std::abs(centre.y) * halfCosine_ - centre.x * halfSine_ <= reach + outlineRounding;
 }
 
-void Outlines::add(const ConvexPiece& piece, const Placement& placement, const Owner& owner) {
+void Outlines::add(const ConvexPiece& piece, const Placement& placement) {
     if (!inSector(placement.place(piece.centre), piece.reach)) return;
     if (piece.isCircle()) {
-        circles_.push_back({placement.place(piece.corners[0]), piece.radius, owner});
+        circles_.push_back({placement.place(piece.corners[0]), piece.radius});
         return;
     }
     const auto first = static_cast<std::uint32_t>(corners_.size());
     for (std::size_t i = 0; i < piece.count; ++i) corners_.push_back(placement.place(piece.corners[i]));
-    polygons_.push_back({first, static_cast<std::uint32_t>(corners_.size()), owner});
+    polygons_.push_back({first, static_cast<std::uint32_t>(corners_.size())});
 }
 
 void Outlines::addObstacles(const SensorView& view) {
     const ObstacleIndex& obstacles = view.obstacles;
     const Placement seen = seenFrom(frame_, Placement());
-    obstacles.visitBox(least_, most_, [&](std::uint32_t piece) {
-        add(obstacles.pieces()[piece], seen, {obstacles.obstacleOf(piece), obstacles.partOf(piece), true});
-    });
+    const auto [least, most] = boxOfSector(frame_, halfCosine_, halfSine_, sector_.range, 0);
+    obstacles.visitBox(least, most, [&](std::uint32_t piece) { add(obstacles.pieces()[piece], seen); });
 }
 
 void Outlines::addBodies(const SensorView& view) {
     const double widest = view.scene.widestReach();
-    const Point pad{widest, widest};
+    const auto [least, most] = boxOfSector(frame_, halfCosine_, halfSine_, sector_.range, widest);
     const SensorView::Moment moment = view.momentOf(view.measured);
-    view.bodiesAt(moment).grid.visitBox(least_ - pad, most_ + pad, [&](std::span<const PointGrid::Entry> entries) {
+    view.bodiesAt(moment).grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
         for (const PointGrid::Entry& entry : entries) {
             const std::uint32_t body = entry.number;
             if (!inSector(frame_.placeBack(entry.point), widest) || body == view.robot) continue;
             const Shape& shape = view.scene.shapeOf(body);
             const Placement seen = seenFrom(frame_, Placement(view.poseAt(body, moment)));
-            for (std::size_t i = 0; i < shape.pieces.size(); ++i)
-                add(shape.pieces[i], seen, {body, shape.partOfPiece[i], false});
+            for (const ConvexPiece& piece : shape.pieces) add(piece, seen);
         }
     });
 }

@@ -14,21 +14,13 @@ struct SensorView;
 /// obstacles and of all bodies but its own, in one frame. Kept from measurement to measurement for its memory.
 class Outlines {
 public:
-    /// Whose outline it is.
-    struct Owner {
-        std::uint32_t number = 0;  ///< of the body, or of the obstacle
-        std::uint32_t part = 0;    ///< of its shape
-        bool obstacle = false;
-    };
     /// A convex polygon. Its corners are counter-clockwise: seen from outside an edge goes from left to right.
     struct Polygon {
         std::uint32_t first = 0, end = 0;  ///< among corners()
-        Owner owner;
     };
     struct Circle {
         Point centre;
         double radius = 0;
-        Owner owner;
     };
 
     /// Where one looks: a sector about the frame's x, which begins at its origin.
@@ -49,14 +41,13 @@ public:
 private:
     /// Whether a disc is not wholly outside.
     bool inSector(const Point& centre, double reach) const;
-    void add(const ConvexPiece& piece, const Placement& placement, const Owner& owner);
+    void add(const ConvexPiece& piece, const Placement& placement);
     void addObstacles(const SensorView& view);
     void addBodies(const SensorView& view);
 
     Placement frame_;  ///< in the world's
     Sector sector_;
     double halfCosine_ = -1, halfSine_ = 0;
-    Point least_, most_;  ///< of a box that holds the sector, in the world's frame
     std::vector<Point> corners_;
     std::vector<Polygon> polygons_;
     std::vector<Circle> circles_;

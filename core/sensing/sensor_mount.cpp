@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "io/format.h"
-#include "sensing/sensor_keys.h"
+#include "world/toml_values.h"
 
 namespace mrose {
 namespace {
@@ -58,7 +58,5 @@ std::vector<Pose> readElements(TomlTable& table, const SensorSources& sources, s
     }
     return elements;
 }
-
-Nanoseconds readLatency(TomlTable& table) { return durationOr(table, "latency_s", 0, latencies); }
 
 }  // namespace mrose

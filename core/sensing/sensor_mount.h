@@ -14,7 +14,4 @@ Pose readMount(TomlTable& table, const SensorSources& sources);
 /// counter-clockwise from the first, or `elements`, an array of poses; at most `most`.
 std::vector<Pose> readElements(TomlTable& table, const SensorSources& sources, std::size_t most);
 
-/// How much later than measured its readings arrive, and from measurement to measurement.
-Nanoseconds readLatency(TomlTable& table);
-
 }  // namespace mrose

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/elementary.h"
+#include "sensing/sector_box.h"
 #include "sensing/sensor_view.h"
 
 namespace mrose {
@@ -19,22 +20,6 @@ constexpr double wide = 0.3;  // m: obstacles that wide hide all that is behind 
 constexpr std::size_t few = 64;
 
 constexpr double rounding = 1e-9;
-
-/// Two corners of a box that holds all of a view within `reach`, and `pad` around it.
-std::pair<Point, Point> boxOfView(const Placement& eye, double halfCosine, double halfSine, double reach, double pad) {
-    Point least, most;
-    const auto hold = [&](const Point& direction) {
-        least = {std::min(least.x, direction.x), std::min(least.y, direction.y)};
-        most = {std::max(most.x, direction.x), std::max(most.y, direction.y)};
-    };
-    hold(eye.rotate({halfCosine, halfSine}));
-    hold(eye.rotate({halfCosine, -halfSine}));
-    for (const Point& axis : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}})
-        if (eye.rotateBack(axis).x >= halfCosine - rounding) hold(axis);
-    const double farther = reach * (1 + rounding);
-    const Point around{pad, pad};
-    return {eye.origin + farther * least - around, eye.origin + farther * most + around};
-}
 
 }  // namespace
 
@@ -137,7 +122,7 @@ void SimulatedView::look(const SensorView& view, const View& limits) {
             for (std::uint32_t i = 0; i < count; ++i) tryOne(i, placeOf(i));
             return;
         }
-        const auto [least, most] = boxOfView(eye_, halfCosine_, halfSine_, margin_.range, 0);
+        const auto [least, most] = boxOfSector(eye_, halfCosine_, halfSine_, margin_.range, 0);
         grid->visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
             for (const PointGrid::Entry& entry : entries) tryOne(entry.number, entry.point);
         });
@@ -236,7 +221,7 @@ void SimulatedView::findObstructions(const SensorView& view) {
         return;
     }
     const double pad = view.scene.widestReach() + SensedState::clear;
-    const auto [least, most] = boxOfView(eye_, halfCosine_, halfSine_, farthest_, pad);
+    const auto [least, most] = boxOfSector(eye_, halfCosine_, halfSine_, farthest_, pad);
     map_->grid.visitBox(least, most, [&](std::span<const PointGrid::Entry> entries) {
         for (const PointGrid::Entry& entry : entries) addBody(view, entry.number, entry.point);
     });

@@ -16,7 +16,8 @@ constexpr std::uint32_t crossTalkDraws = 0x8000;
 
 }  // namespace
 
-SonarRing::SonarRing(const SensorTraits& traits, const Options& options) : traits_(traits), options_(options) {
+SonarRing::SonarRing(const SensorTraits& traits, const Options& options)
+    : ElementSensor(traits, options.latency), reading_(traits.name), options_(options) {
     for (const Pose& sonar : options.sonars)
         farthest_ = std::max(farthest_, length(position(sonar)) + options.errors.range);
 }
@@ -54,7 +55,7 @@ void SonarRing::sense(const SensorView& view, std::span<std::byte> /*memory*/, O
     }
     hearNeighbours(view, ranges);
     options_.errors.apply(view, 0, ranges);
-    std::byte* const place = out.add(traits_.name, recordType<RangeEcho>(), view.measured, ranges.size());
+    std::byte* const place = out.add(reading_, recordType<RangeEcho>(), view.measured, ranges.size());
     auto* const echoes = reinterpret_cast<RangeEcho*>(place);
     for (std::size_t i = 0; i < ranges.size(); ++i) echoes[i] = {wrapAngle(options_.sonars[i].heading), ranges[i]};
 }
@@ -66,7 +67,7 @@ SensorPointer readSonarRing(TomlTable& table, const SensorTraits& traits, const 
     options.reflection = angleOr(table, "reflection_deg", 90, {1, 90});
     options.crossTalk = table.numberOr("cross_talk", 0, probability);
     options.errors = readRangeErrors(table, 5, {0.01, 100});
-    options.latency = readLatency(table);
+    options.latency = durationOr(table, "latency_s", 0, latencies);
     return table.failed() ? nullptr : std::make_shared<const SonarRing>(traits, options);
 }
 

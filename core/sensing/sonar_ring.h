@@ -1,15 +1,15 @@
 #pragma once
 
 #include "control/sensor_records.h"
+#include "sensing/element_sensor.h"
 #include "sensing/range_errors.h"
-#include "sensing/sensor.h"
 #include "sensing/sensor_sources.h"
 
 namespace mrose {
 
 /// Sonars: NAME has a RangeEcho for each, that of the nearest visible point in its cone at which a surface sends sound
 /// back.
-class SonarRing final : public Sensor {
+class SonarRing final : public ElementSensor {
 public:
     static constexpr std::size_t mostSonars = 64;
 
@@ -23,11 +23,7 @@ public:
     };
     SonarRing(const SensorTraits& traits, const Options& options);
 
-    std::string name() const override { return traits_.name; }
-    std::vector<ReadingKind> gives() const override { return {{traits_.name, &recordType<RangeEcho>()}}; }
-    Nanoseconds period() const override { return traits_.period; }
-    Nanoseconds latency() const override { return options_.latency; }
-    bool exact() const override { return true; }
+    std::vector<ReadingKind> gives() const override { return {{name(), &recordType<RangeEcho>()}}; }
     std::vector<SensorElement> elements() const override;
     std::vector<MemoryEntry> summary(const Observation& all, const Reading& reading) const override;
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
@@ -35,7 +31,7 @@ public:
 private:
     void hearNeighbours(const SensorView& view, std::span<double> ranges) const;
 
-    SensorTraits traits_;
+    ReadingName reading_;
     Options options_;
     double farthest_ = 0;  ///< m, of what a sonar can reach from the robot's reference point
 };

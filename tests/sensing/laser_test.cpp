@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "sensing/ranging.h"
-#include "world/state_bytes.h"
-#include "world/state_hash.h"
 
 namespace mrose {
 namespace {
@@ -225,18 +223,7 @@ TEST(Laser, RepeatsItsReadingsFromEveryTick) {
     options.errors.dropOut = 0.05;
     options.latency = 50 * ms;
     const Scenario scenario = randomScene(laser(options, 30 * ms), 5, 8, 6);
-    WorldState state = scenario.initialState();
-    StepBuffers buffers, others;
-    StepTrace trace, again;
-    for (int k = 0; k < 60; ++k) {
-        auto restored = parseState(stateBytes(state), "saved");
-        ASSERT_TRUE(restored);
-        step(scenario, state, buffers, {}, &trace);
-        step(scenario, *restored, others, {}, &again);
-        ASSERT_EQ(hashOf(state), hashOf(*restored));
-        if (!trace.robots[0].observed) continue;
-        ASSERT_EQ(trace.robots[0].observation, again.robots[0].observation);
-    }
+    expectSameFromEveryTick(scenario, 60);
 }
 
 TEST(Laser, SummaryHasTheNearestEcho) {

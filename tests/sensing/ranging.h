@@ -10,6 +10,8 @@
 #include "sensing/perceiving.h"
 #include "sensing/sensor_view.h"
 #include "world/noise.h"
+#include "world/state_bytes.h"
+#include "world/state_hash.h"
 
 namespace mrose {
 
@@ -119,6 +121,24 @@ inline Environment wallAhead(double near, double height = 20, double middle = 0)
     Environment environment;
     environment.obstacles.push_back({"wall", Shape::fromParts("wall", {part}), {}});
     return environment;
+}
+
+/// From every tick a saved state goes on to the same state and the same observations.
+inline void expectSameFromEveryTick(const Scenario& scenario, int ticks) {
+    WorldState state = scenario.initialState();
+    StepBuffers buffers, others;
+    StepTrace trace, again;
+    for (int k = 0; k < ticks; ++k) {
+        auto restored = parseState(stateBytes(state), "saved");
+        ASSERT_TRUE(restored);
+        step(scenario, state, buffers, {}, &trace);
+        step(scenario, *restored, others, {}, &again);
+        ASSERT_EQ(hashOf(state), hashOf(*restored)) << k;
+        for (std::size_t i = 0; i < state.robots.size(); ++i) {
+            if (!trace.robots[i].observed) continue;
+            ASSERT_EQ(trace.robots[i].observation, again.robots[i].observation) << k;
+        }
+    }
 }
 
 }  // namespace mrose

@@ -3,8 +3,6 @@
 #include "sensing/infrared_ring.h"
 #include "sensing/ranging.h"
 #include "sensing/sonar_ring.h"
-#include "world/state_bytes.h"
-#include "world/state_hash.h"
 
 namespace mrose {
 namespace {
@@ -218,18 +216,7 @@ TEST(RingSensors, RepeatTheirReadingsFromEveryTick) {
                    .robot(type, {1, 1, 0}, std::make_shared<const Told>(Command{0.3, 0.5}), ideal())
                    .robot(discRobot(0.2), {2, 1, 1}, std::make_shared<const Told>(Command{0.2, 0.9}), ideal())
                    .scenario();
-    WorldState state = scenario.initialState();
-    StepBuffers buffers, others;
-    StepTrace trace, again;
-    for (int k = 0; k < 60; ++k) {
-        auto restored = parseState(stateBytes(state), "saved");
-        ASSERT_TRUE(restored);
-        step(scenario, state, buffers, {}, &trace);
-        step(scenario, *restored, others, {}, &again);
-        ASSERT_EQ(hashOf(state), hashOf(*restored));
-        if (!trace.robots[0].observed) continue;
-        ASSERT_EQ(trace.robots[0].observation, again.robots[0].observation);
-    }
+    expectSameFromEveryTick(scenario, 60);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "sensing/ranging.h"
-#include "world/state_bytes.h"
-#include "world/state_hash.h"
 
 namespace mrose {
 namespace {
@@ -78,15 +76,7 @@ TEST(WheelEncoders, SlipGrowsWithTheRootOfTheWay) {
 
 TEST(WheelEncoders, RepeatTheirReadingsFromEveryTick) {
     const Scenario scenario = counting({500, 0.3, 0.02}, {0.4, 0.5});
-    WorldState state = scenario.initialState();
-    StepBuffers buffers, others;
-    for (int k = 0; k < 60; ++k) {
-        auto restored = parseState(stateBytes(state), "saved");
-        ASSERT_TRUE(restored);
-        step(scenario, state, buffers);
-        step(scenario, *restored, others);
-        ASSERT_EQ(hashOf(state), hashOf(*restored)) << k;
-    }
+    expectSameFromEveryTick(scenario, 60);
 }
 
 }  // namespace
