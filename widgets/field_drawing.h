@@ -6,6 +6,7 @@
 
 #include "debug/field_frame.h"
 #include "debug/sensor_looks.h"
+#include "debug/sensor_scans.h"
 #include "widgets/field_canvas.h"
 #include "widgets/field_layers.h"
 #include "widgets/label_placer.h"
@@ -92,6 +93,26 @@ QString readingReadout(const ViewTransform& view, const FieldFrame& frame, const
 constexpr double readingRadius = 3.4;  // pixels
 void drawReadingMark(const FieldCanvas& canvas, const QPointF& at, const QColor& colour, bool real,
                      double radius = readingRadius);
+/// What the sensors of a robot gave last of its surroundings.
+struct RobotScans {
+    std::size_t robot = 0;
+    std::vector<SensorScan> scans;
+};
+/// Of all robots those whose layers are shown; where robots are too many, of the selected one alone.
+std::vector<RobotScans> shownScans(const FieldFrame& frame, const FieldLayers& layers, const FieldFocus& focus);
+bool hasScan(const std::vector<RobotScans>& scans, FieldLayer layer);
+/// Below bodies: what a laser's beams passed, from where sonars' echoes came, how much light came back.
+void drawScanAreas(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                   const std::vector<RobotScans>& scans);
+/// Above them: what beams met; bumpers.
+void drawScanMarks(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
+                   const std::vector<RobotScans>& scans);
+/// How an echo and a bumper look; angles as Qt's arcs have them, in 1/16 degree.
+void drawEcho(QPainter& painter, const QRectF& circle, int first, int span, const QColor& colour);
+void drawBumperSegment(const FieldCanvas& canvas, const QPolygonF& line, bool pressed);
+/// Of the echoes at a place in pixels, a line each; empty: there are none.
+QString scanReadout(const ViewTransform& view, const FieldFrame& frame, const std::vector<RobotScans>& scans,
+                    const QPointF& pixels);
 /// The newest message from each robot to each other one that was due in the last moments; where one is selected, its
 /// own above the others. Of many robots the selected one's alone.
 std::vector<const RadioLog::Entry*> shownMessages(const FieldFrame& frame, const FieldFocus& focus);

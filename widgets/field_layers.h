@@ -14,6 +14,10 @@ enum class FieldLayer {
     targets,
     sensors,
     readings,
+    laser,
+    sonar,
+    infrared,
+    bumpers,
     radio,
     contacts,
     predicted,
@@ -44,6 +48,12 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
      "What sensors reported last, from where they were: of all robots; without it of the selected one beside a real "
      "log",
      false},
+    {FieldLayer::laser, "layer_laser", "Lasers", "1", "What laser scanners met last, and what their beams passed",
+     true},
+    {FieldLayer::sonar, "layer_sonar", "Sonars", "2", "From where the last echoes of sonars came", true},
+    {FieldLayer::infrared, "layer_infrared", "Infrared", "3", "How much of their light infrared sensors got back last",
+     true},
+    {FieldLayer::bumpers, "layer_bumpers", "Bumpers", "4", "Bumpers' segments, and which of them are pressed", true},
     {FieldLayer::radio, "layer_radio", "Radio", "W",
      "Messages of the last moments, from where they were sent to where they were received; crossed where they were "
      "lost, and barred where the range ends",

@@ -46,6 +46,11 @@ bool draws(const FieldFrame& frame, const FieldLayers& layers, FieldLayer layer,
                 const auto reports = [](const SensorLook& look) { return look.eye && !look.subjects.empty(); };
                 return any(of.simulated, reports) || any(of.real, reports);
             });
+        case FieldLayer::laser:
+        case FieldLayer::sonar:
+        case FieldLayer::infrared:
+        case FieldLayer::bumpers:
+            return hasScan(shownScans(frame, layers, focus), layer);
         case FieldLayer::radio:
             return !shownMessages(frame, focus).empty();
         case FieldLayer::contacts:

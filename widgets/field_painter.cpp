@@ -34,6 +34,8 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     std::vector<FieldLabel> labels;
     canvas_.painter.setRenderHint(QPainter::Antialiasing);
     if (layers_.has(FieldLayer::sensors)) drawSensors(canvas_, frame, focus);
+    const std::vector<RobotScans> scans = shownScans(frame, layers_, focus);
+    drawScanAreas(canvas_, frame, focus, scans);
     const bool real = layers_.has(FieldLayer::reality), models = layers_.has(FieldLayer::models);
     if (real && layers_.has(FieldLayer::trails)) drawRealWays(canvas_, frame, focus);
     if (models && layers_.has(FieldLayer::trails)) drawModelWays(canvas_, frame);
@@ -46,6 +48,7 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     drawBodies(canvas_, frame, layers_.has(FieldLayer::headings));
     if (models) drawModelRobots(canvas_, frame, layers_.has(FieldLayer::headings));
     if (real) drawRealRobots(canvas_, frame, layers_.has(FieldLayer::headings));
+    drawScanMarks(canvas_, frame, focus, scans);
     drawFocus(canvas_, frame, focus);
     drawReadings(canvas_, frame, focus, looks);
     if (layers_.has(FieldLayer::names)) addNames(canvas_, frame, focus, labels);

@@ -260,6 +260,7 @@ QString FieldView::readoutAt(const QPointF& pixels) const {
     if (layers_.has(FieldLayer::reality)) parts += realReadout(*frame_, body, transform().toMetres(pixels));
     if (body && layers_.has(FieldLayer::models)) parts += modelReadout(*frame_, *body);
     parts += readingReadout(transform(), *frame_, shownLooks(*frame_, layers_, focus_), pixels);
+    parts += scanReadout(transform(), *frame_, shownScans(*frame_, layers_, focus_), pixels);
     parts += signs;
     parts.removeAll({});
     return parts.join('\n');

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "control/sensor_records.h"
 #include "debug/sensor_looks.h"
+#include "debug/sensor_scans.h"
 #include "widgets/fixed_text.h"
 #include "widgets/inspector_rows.h"
 #include "widgets/qt_text.h"
@@ -113,14 +115,52 @@ InspectorRow rowsOf(const RowWriter& write, const SensorRows& of) {
     return table;
 }
 
+/// Of each element of a sensor of what surrounds its robot.
+InspectorRow rowsOf(const RowWriter& write, const SensorScan& scan, const RowIsOpen& isOpen, const QString& path) {
+    const Reading& reading = *scan.known.reading;
+    InspectorRow table = RowWriter::text(qtText(scan.known.sensor->name()),
+                                         QObject::tr("%1 elements, %2 s ago")
+                                             .arg(reading.count)
+                                             .arg(fixedText(toSeconds(write.frame.now() - reading.measured), 2)));
+    auto& rows = table.children;
+    const bool open = isOpen(path + '/' + table.id);
+    const auto add = [&](std::size_t element, double bearing, const QStringList& cells) {
+        rows.push_back(tableRow(QString::number(element + 1), QStringList{bearingText(bearing)} + cells));
+    };
+    const QString degrees = QString::fromUtf8("\u00b0");
+    const auto head = [&](const QStringList& cells) {
+        rows.push_back(tableRow(QObject::tr("element"), QStringList{degrees} + cells,
+                                QObject::tr("its direction, counter-clockwise from the robot's heading")));
+    };
+    const std::size_t shown = open ? reading.count : 0;
+    if (scan.kind == SensorScan::Kind::infrared) {
+        head({QObject::tr("intensity")});
+        const auto echoes = scan.known.records<InfraredEcho>();
+        for (std::size_t i = 0; i < shown; ++i) add(i, echoes[i].bearing, {fixedText(echoes[i].intensity, 3)});
+    } else if (scan.kind == SensorScan::Kind::bumpers) {
+        head({QObject::tr("pressed"), QObject::tr("touches")});
+        const auto contacts = scan.known.records<BumperContact>();
+        for (std::size_t i = 0; i < shown; ++i)
+            add(i, contacts[i].bearing, {QString::number(contacts[i].pressed), QString::number(contacts[i].touches)});
+    } else {
+        head({"m"});
+        const auto echoes = scan.known.records<RangeEcho>();
+        for (std::size_t i = 0; i < shown; ++i)
+            add(i, echoes[i].bearing, {std::isfinite(echoes[i].range) ? fixedText(echoes[i].range, 3) : noValue()});
+    }
+    return table;
+}
+
 }  // namespace
 
-std::optional<InspectorRow> readingRows(const RowWriter& write) {
+std::optional<InspectorRow> readingRows(const RowWriter& write, const RowIsOpen& isOpen) {
     const std::vector<SensorLook> real = realLooks(write.frame, write.body);
     const std::vector<SensorLook> simulated = simulatedLooks(write.frame, write.body);
     InspectorRow section = RowWriter::section(QObject::tr("Readings"));
     for (const SensorRows& sensor : sensorRows(write, simulated, real))
         section.children.push_back(rowsOf(write, sensor));
+    for (const SensorScan& scan : scansOf(write.frame, write.body))
+        section.children.push_back(rowsOf(write, scan, isOpen, section.id));
     if (section.children.empty()) return std::nullopt;
     return section;
 }

@@ -223,7 +223,7 @@ std::vector<InspectorRow> inspectorRows(const FieldFrame& frame, std::size_t bod
     if (!frame.scene().typeOf(body).manipulators.empty()) rows.push_back(kickRows(write));
     rows.push_back(predictionRows(write));
     rows.push_back(controllerRows(write));
-    if (auto readings = readingRows(write)) rows.push_back(std::move(*readings));
+    if (auto readings = readingRows(write, isOpen)) rows.push_back(std::move(*readings));
     rows.push_back(radioRows(write));
     rows.push_back(perceptionRows(write));
     rows.push_back(memoryRows(write, isOpen));

@@ -58,7 +58,7 @@ InspectorRow controllerRows(const RowWriter& write);
 InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen);
 InspectorRow perceptionRows(const RowWriter& write);
 /// Of sensors beyond those that every robot has, beside the real robot's; nullopt: there are none.
-std::optional<InspectorRow> readingRows(const RowWriter& write);
+std::optional<InspectorRow> readingRows(const RowWriter& write, const RowIsOpen& isOpen);
 /// What it told others and was told.
 InspectorRow radioRows(const RowWriter& write);
 /// Eight bytes a row, in hexadecimal digits; notable those that were others in `before`, if that is as long.

@@ -76,13 +76,39 @@ void drawRadioSample(const FieldCanvas& canvas, const QRectF& box, const QColor&
     }
 }
 
-/// A field of view from the left end of the box to the right one.
-void drawSector(QPainter& painter, const QRectF& box) {
-    constexpr double half = 16;  // degrees
-    const double radius = box.width() - 2 * inset;
+/// Beams from the left end of the box that met something.
+void drawLaserSample(const FieldCanvas& canvas, const QRectF& box, const QColor& colour) {
     const QPointF eye(box.left() + inset, box.center().y());
-    painter.drawPie(QRectF(eye - QPointF(radius, radius), 2 * QSizeF(radius, radius)), static_cast<int>(-half * 16),
-                    static_cast<int>(2 * half * 16));
+    QPolygonF ends;
+    for (int i = -3; i <= 3; ++i) ends.append(QPointF(box.right() - inset - (i < 0 ? 5 : 0), eye.y() + 2 * i));
+    canvas.painter.setPen(Qt::NoPen);
+    canvas.painter.setBrush(withAlpha(colour, 70));
+    canvas.painter.drawPolygon(QPolygonF(ends) << eye);
+    canvas.painter.setBrush(colour);
+    for (const QPointF& end : ends) canvas.painter.drawRect(QRectF(end - QPointF(1, 1), QSizeF(2, 2)));
+}
+
+/// Segments of which one is pressed.
+void drawBumperSample(const FieldCanvas& canvas, const QRectF& box) {
+    const double width = (box.width() - 2 * inset) / 3;
+    for (int i = 0; i < 3; ++i) {
+        const QPointF from(box.left() + inset + i * width + 1.5, box.center().y());
+        drawBumperSegment(canvas, QVector<QPointF>{from, from + QPointF(width - 3, 0)}, i == 1);
+    }
+}
+
+constexpr int sampleHalf = 16 * 16;  // 1/16 degree
+
+/// About the left end of the box, up to a share of its width.
+QRectF circleIn(const QRectF& box, double share = 1) {
+    const double radius = share * (box.width() - 2 * inset);
+    const QPointF eye(box.left() + inset, box.center().y());
+    return {eye - QPointF(radius, radius), 2 * QSizeF(radius, radius)};
+}
+
+/// A field of view from the left end of the box on.
+void drawSector(QPainter& painter, const QRectF& box, double share = 1) {
+    painter.drawPie(circleIn(box, share), -sampleHalf, 2 * sampleHalf);
 }
 
 }  // namespace
@@ -124,6 +150,22 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
             break;
         case FieldLayer::readings:
             drawReadingSample(canvas, box, colour);
+            break;
+        case FieldLayer::laser:
+            drawLaserSample(canvas, box, colour);
+            break;
+        case FieldLayer::sonar:
+            drawEcho(painter, circleIn(box), -sampleHalf, 2 * sampleHalf, colour);
+            break;
+        case FieldLayer::infrared:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(withAlpha(colour, 60));
+            drawSector(painter, box);
+            painter.setBrush(withAlpha(colour, 200));
+            drawSector(painter, box, 0.6);
+            break;
+        case FieldLayer::bumpers:
+            drawBumperSample(canvas, box);
             break;
         case FieldLayer::radio:
             drawRadioSample(canvas, box, colour);

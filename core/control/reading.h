@@ -52,6 +52,9 @@ struct RecordField {
     NumberKind kind = NumberKind::float64;
     std::uint32_t offset = 0;  ///< B from the record's beginning
     std::uint32_t count = 1;   ///< so many in a row
+
+    /// The `i`th of them in a record.
+    double numberIn(const std::byte* record, std::size_t i = 0) const;
     bool operator==(const RecordField&) const = default;
 };
 

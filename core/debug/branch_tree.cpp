@@ -5,7 +5,6 @@
 #include <span>
 #include <utility>
 
-#include "debug/sensor_looks.h"
 #include "recording/tick_decisions.h"
 
 namespace mrose {
@@ -19,10 +18,9 @@ std::int64_t ticksToLookBack(const Scenario& scenario) {
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         most = std::max(most, scene.periodTicks(robot));
         if (scenario.readsMessages(robot)) most = std::max(most, scene.ticksOf(RadioLog::kept));
-        const auto sensors = scenario.sensors(robot);
-        for (std::size_t k = 0; k < sensors.size(); ++k)
-            if (scenario.wanted(robot, k) != 0)
-                most = std::max(most, scene.ticksOf(lookShown(scenario, robot, *sensors[k]) - sensors[k]->latency()));
+        for (const SensorPointer& sensor : scenario.sensors(robot))
+            most = std::max(
+                most, scene.periodTicks(robot) + scene.ticksOf(knownFor(scenario, robot, *sensor) - sensor->latency()));
     }
     return most + 2;
 }

@@ -4,7 +4,10 @@
 
 namespace mrose {
 
-Cursor::Cursor(std::uint32_t branch, ReachedState at) : branch_(branch), at_(std::move(at)) { forgetNotes(); }
+Cursor::Cursor(std::uint32_t branch, ReachedState at) : branch_(branch), at_(std::move(at)) {
+    trace_.asksUnread = true;
+    forgetNotes();
+}
 
 Expected<void> Cursor::advance(const BranchRecord& record, const Timeline& timeline) {
     memoryBefore_ = at_.state.memory;
@@ -53,7 +56,7 @@ void Cursor::noteInsightsAtStart(const BranchRecord& record) {
         if (known.tick != atStart.insight.tick || known.tick != tick() - 1 || known.observed) continue;
         known.observed = atStart.insight.observed;
         known.observation = atStart.insight.observation;
-        known.seenBefore = atStart.insight.seenBefore;
+        known.others = atStart.insight.others;
         known.memoryBefore = atStart.insight.memoryBefore;
         known.decision.annotations = atStart.insight.decision.annotations;
     }

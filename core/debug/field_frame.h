@@ -46,6 +46,13 @@ struct FieldFrame {
     Nanoseconds now() const { return scene().timeOf(state.tick); }
     /// What is known of it; as long as it lives.
     Moment moment() const { return {scenario.get(), &state, &lastTick, insights, reality.get()}; }
+    /// Where a body was when something was measured; nullptr: not known.
+    const Pose* poseThen(std::size_t body, Nanoseconds time) const {
+        if (time == now()) return &poseOf(body);
+        for (const PosesThen& then : measured)
+            if (then.time == time) return body < then.bodies.size() ? &then.bodies[body] : nullptr;
+        return nullptr;
+    }
     const Pose& poseOf(std::size_t body) const { return Scenario::poseOf(state, body); }
     const std::string& nameOf(std::size_t body) const { return nameOfBody(scene(), static_cast<std::uint32_t>(body)); }
 };

@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 
+#include "debug/sensor_scans.h"
+
 namespace mrose {
 namespace {
 
@@ -85,8 +87,8 @@ std::optional<std::vector<Pose>> posesAt(const BranchTree& branches, const Curso
 void addMeasured(const BranchTree& branches, const Cursor& at, FieldFrame& frame) {
     std::set<Nanoseconds> times;
     for (std::size_t robot = 0; robot < frame.insights.size(); ++robot)
-        for (const SeenBodiesView& seen : newestSeen(*frame.scenario, robot, frame.insights[robot]))
-            times.insert(seen.measured);
+        for (const NewestReading& known : newestReadings(frame.moment(), robot))
+            if (*known.reading->type == recordType<SeenBody>() || isScan(known)) times.insert(known.reading->measured);
     for (const Nanoseconds time : times)
         if (auto poses = posesAt(branches, at, time)) frame.measured.push_back({time, std::move(*poses)});
 }

@@ -33,7 +33,9 @@ public:
 
 private:
     RunRecorder(std::filesystem::path path, RecordingWriter writer)
-        : path_(std::move(path)), writer_(std::move(writer)) {}
+        : path_(std::move(path)), writer_(std::move(writer)) {
+        trace_.asksUnread = true;
+    }
     struct Written {
         Written(BranchSetupPointer of, ReachedState start)
             : setup(std::move(of)), playback(*setup->scenario), at(std::move(start)) {}

@@ -11,24 +11,6 @@
 namespace mrose {
 namespace {
 
-/// Sensors that are slower are shown no longer, so that going to a tick stays quick.
-constexpr Nanoseconds longestShown = 2 * nanosecondsPerSecond;
-
-/// Whose reading that is.
-const Sensor* sensorOf(const Scenario& scenario, std::size_t robot, const ReadingName& reading) {
-    for (const SensorPointer& sensor : scenario.sensors(robot))
-        for (const ReadingKind& kind : sensor->gives())
-            if (kind.name == reading) return sensor.get();
-    return nullptr;
-}
-
-const Pose* poseThen(const FieldFrame& frame, std::size_t body, Nanoseconds time) {
-    if (time == frame.now()) return &frame.poseOf(body);
-    for (const PosesThen& then : frame.measured)
-        if (then.time == time) return body < then.bodies.size() ? &then.bodies[body] : nullptr;
-    return nullptr;
-}
-
 bool isOf(std::string_view reading, std::string_view kind) {
     return reading == kind || (reading.size() > kind.size() && reading.ends_with(kind) &&
                                reading[reading.size() - kind.size() - 1] == '.');
@@ -45,7 +27,7 @@ void nameSubject(const FieldFrame& frame, std::string_view reading, std::uint32_
         subject.truth = landmarks[index].position;
     } else if ((isOf(reading, robotsReading) || isOf(reading, objectsReading)) && body < frame.scene().bodyCount()) {
         subject.name = frame.nameOf(body);
-        if (const Pose* const pose = poseThen(frame, body, measured)) subject.truth = position(*pose);
+        if (const Pose* const pose = frame.poseThen(body, measured)) subject.truth = position(*pose);
     } else {
         subject.name = std::to_string(index + 1);
     }
@@ -89,28 +71,22 @@ Point SensorLook::reported(const ReportedSubject& subject) const {
     return position(*eye) + subject.range * towards(eye->heading + subject.bearing);
 }
 
-Nanoseconds lookShown(const Scenario& scenario, std::size_t robot, const Sensor& sensor) {
-    const Nanoseconds control = scenario.scene().modelOf(robot).period();
-    return sensor.latency() + std::min(sensor.period() * 3 / 2, longestShown) + control;
-}
-
 std::vector<SensorLook> simulatedLooks(const FieldFrame& frame, std::size_t robot) {
     std::vector<SensorLook> looks;
-    if (robot >= frame.insights.size()) return looks;
-    for (const SeenBodiesView& seen : newestSeen(*frame.scenario, robot, frame.insights[robot])) {
-        const Sensor& sensor = *sensorOf(*frame.scenario, robot, seen.reading);
-        if (frame.now() - seen.measured > lookShown(*frame.scenario, robot, sensor)) continue;
-        const std::string name = sensor.name();
-        const bool same = !looks.empty() && looks.back().sensor == name && looks.back().measured == seen.measured;
+    for (const NewestReading& known : newestReadings(frame.moment(), robot)) {
+        const Nanoseconds measured = known.reading->measured;
+        if (*known.reading->type != recordType<SeenBody>()) continue;
+        const std::string name = known.sensor->name();
+        const bool same = !looks.empty() && looks.back().sensor == name && looks.back().measured == measured;
         if (!same) {
-            const Pose* const eye = poseThen(frame, robot, seen.measured);
-            looks.push_back({name, seen.measured, eye ? std::optional(*eye) : std::nullopt, {}});
+            const Pose* const eye = frame.poseThen(robot, measured);
+            looks.push_back({name, measured, eye ? std::optional(*eye) : std::nullopt, {}});
         }
-        for (const SeenBody& body : seen.bodies) {
+        for (const SeenBody& body : known.records<SeenBody>()) {
             ReportedSubject& subject = looks.back().subjects.emplace_back();
             subject.range = length(body.position_B);
             subject.bearing = arcTangent(body.position_B.y, body.position_B.x);
-            nameSubject(frame, seen.reading, body.index, seen.measured, subject);
+            nameSubject(frame, known.reading->name, body.index, measured, subject);
         }
     }
     return looks;

@@ -36,7 +36,4 @@ std::vector<SensorLook> realLooks(const FieldFrame& frame, std::size_t robot);
 /// The sensors that have looks in that log, whenever those were.
 std::vector<std::string> realLookers(const FieldFrame& frame, std::size_t robot);
 
-/// How long after its measurement a reading of a simulated robot is shown, if no other one comes: a period and a half.
-Nanoseconds lookShown(const Scenario& scenario, std::size_t robot, const Sensor& sensor);
-
 }  // namespace mrose

@@ -27,6 +27,7 @@ Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOpt
     WorldState before = result.state;
     // Only who asks for them pays for them.
     const bool follows = options.until != nullptr && readsControl(options.until->text(), scenario);
+    trace.asksUnread = follows || options.traceUnread;
     std::vector<RobotInsight> insights(follows ? result.state.robots.size() : 0);
     while (result.state.tick < last) {
         before = result.state;

@@ -20,6 +20,7 @@ struct RunOptions {
     Condition* until = nullptr;  ///< the run ends after the first tick at which it holds
     bool endOnFault = false;
     bool checkRewind = false;  ///< takes every tick twice; the run ends where that makes a difference
+    bool traceUnread = false;  ///< StepTrace::asksUnread; for a condition that reads sensors so it is without
     /// Called after every tick with its trace; false stops the run. May be empty.
     std::function<bool(const WorldState&, const StepTrace&)> each = {};
 };

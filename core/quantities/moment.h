@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,13 +12,6 @@
 
 namespace mrose {
 
-/// A reading of bodies out of an observation.
-struct SeenBodies {
-    ReadingName reading;  ///< "camera.robots"
-    Nanoseconds measured = 0;
-    std::vector<SeenBody> bodies;
-};
-
 /// What a robot saw, decided and was predicted to do at its last control instant: it holds until the next.
 struct RobotInsight {
     std::int64_t tick = -1;  ///< of the state in which it decided; -1: never yet
@@ -26,21 +20,13 @@ struct RobotInsight {
     Decision decision;
     MotionStep predicted;
     std::vector<std::byte> memoryBefore;  ///< its controller's, before it decided
-    /// What sensors with clocks of their own reported last, where that was in an observation before this one.
-    std::vector<SeenBodies> seenBefore = {};
+    /// What is known of its sensors beside that: what its controller does not read, and what those with clocks of
+    /// their own gave last, where that was before this observation.
+    Observation others = {};
 };
 
-/// The same where it lies.
-struct SeenBodiesView {
-    ReadingName reading;
-    Nanoseconds measured = 0;
-    std::span<const SeenBody> bodies;
-};
-/// The newest readings of bodies that a robot has been given, in the order of its sensors; valid as long as `insight`.
-std::vector<SeenBodiesView> newestSeen(const Scenario& scenario, std::size_t robot, const RobotInsight& insight);
-
-/// Takes over what robots saw and decided in the tick that led to `tick`. `memoryBefore` is WorldState::memory before
-/// that.
+/// Takes over what robots saw and decided in the tick that led to `tick`, whose trace asked for what is unread.
+/// `memoryBefore` is WorldState::memory before that.
 void noteInsights(const Scenario& scenario, const StepTrace& trace, std::int64_t tick,
                   const std::vector<std::byte>& memoryBefore, std::vector<RobotInsight>& insights);
 
@@ -55,5 +41,23 @@ struct Moment {
     const Scene& scene() const { return scenario->scene(); }
     Nanoseconds now() const { return scene().timeOf(state->tick); }
 };
+
+/// A reading that is known of a robot's sensor; valid as long as `of`.
+struct NewestReading {
+    const Sensor* sensor = nullptr;
+    const Observation* of = nullptr;
+    const Reading* reading = nullptr;
+
+    template <class T>
+    std::span<const T> records() const {
+        return of->records<T>(reading);
+    }
+};
+/// The newest of each that a robot's sensors have given, in their order; of sensors with clocks of their own as long as
+/// no other is missing (knownFor).
+std::vector<NewestReading> newestReadings(const Moment& moment, std::size_t robot);
+/// How long after its measurement a reading is known, if no other one comes: a period and a half. Of slow sensors less,
+/// so that going to a tick stays quick.
+Nanoseconds knownFor(const Scenario& scenario, std::size_t robot, const Sensor& sensor);
 
 }  // namespace mrose

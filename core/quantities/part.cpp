@@ -1,36 +1,7 @@
 #include "quantities/part.h"
 
-#include <cstring>
-
 namespace mrose {
 namespace {
-
-template <class Number>
-double numberAt(const std::byte* place) {
-    Number number;
-    std::memcpy(&number, place, sizeof number);
-    return static_cast<double>(number);
-}
-
-double numberOf(const std::byte* place, NumberKind kind) {
-    switch (kind) {
-        case NumberKind::float64:
-            return numberAt<double>(place);
-        case NumberKind::float32:
-            return numberAt<float>(place);
-        case NumberKind::int64:
-            return numberAt<std::int64_t>(place);
-        case NumberKind::int32:
-            return numberAt<std::int32_t>(place);
-        case NumberKind::uint64:
-            return numberAt<std::uint64_t>(place);
-        case NumberKind::uint32:
-            return numberAt<std::uint32_t>(place);
-        case NumberKind::uint8:
-            return numberAt<std::uint8_t>(place);
-    }
-    return 0;
-}
 
 /// What the number of a reading's records is called among the entries of its sensor.
 std::string countName(std::string_view reading, const std::string& sensor) {
@@ -38,11 +9,12 @@ std::string countName(std::string_view reading, const std::string& sensor) {
     return std::string(reading.starts_with(sensor + '.') ? reading.substr(sensor.size() + 1) : reading);
 }
 
-void addReading(const Observation& all, const Reading& reading, const Sensor& of, std::vector<MemoryEntry>& entries) {
+void addReading(const NewestReading& known, std::vector<MemoryEntry>& entries) {
+    const Reading& reading = *known.reading;
     const std::string_view name = reading.name;
-    const std::string sensor = of.name();
+    const std::string sensor = known.sensor->name();
     if (name == sensor) {
-        const std::vector<MemoryEntry> summary = of.summary(all, reading);
+        const std::vector<MemoryEntry> summary = known.sensor->summary(*known.of, reading);
         entries.insert(entries.end(), summary.begin(), summary.end());
         if (!summary.empty()) return;
     }
@@ -51,18 +23,15 @@ void addReading(const Observation& all, const Reading& reading, const Sensor& of
         return;
     }
     for (const RecordField& field : reading.type->fields)
-        if (field.count == 1)
-            entries.push_back({field.name, numberOf(all.recordsOf(reading) + field.offset, field.kind), field.unit});
+        if (field.count == 1) entries.push_back({field.name, field.numberIn(known.of->recordsOf(reading)), field.unit});
 }
 
 std::vector<MemoryEntry> sensorEntries(const Moment& moment, std::size_t robot, std::size_t place) {
     const Scenario& scenario = *moment.scenario;
     const Sensor& sensor = *scenario.sensors(robot)[place];
     std::vector<MemoryEntry> entries = sensor.explain(scenario.sensorMemory(*moment.state, robot, place));
-    if (robot >= moment.insights.size() || !moment.insights[robot].observed) return entries;
-    const Observation& all = moment.insights[robot].observation;
-    for (const ReadingKind& kind : sensor.gives())
-        if (const Reading* const reading = all.newest(kind.name)) addReading(all, *reading, sensor, entries);
+    for (const NewestReading& known : newestReadings(moment, robot))
+        if (known.sensor == &sensor) addReading(known, entries);
     return entries;
 }
 

@@ -8,6 +8,7 @@ namespace {
 const char* const number = R"({"type":"number"})";
 const char* const text = R"({"type":"string"})";
 const char* const flag = R"({"type":"boolean"})";
+const char* const bytes = R"({"type":"string","contentEncoding":"base64"})";
 const char* const count = R"({"type":"integer","minimum":0})";
 
 std::string property(const std::string& name, const std::string& schema) { return '"' + name + "\":" + schema; }
@@ -96,7 +97,7 @@ std::string entity() {
             primitives("models", "ModelPrimitive",
                        property("scale", vector3()) + ',' + property("color", colour()) + ',' +
                            property("override_color", flag) + ',' + properties("url,media_type", text) + ',' +
-                           property("data", R"({"type":"string","contentEncoding":"base64"})")));
+                           property("data", bytes)));
 }
 
 /// A property of numbers for each of some robots, or objects.
@@ -136,6 +137,35 @@ std::string logSchema() {
                         property("timestamp", time("time")) + ',' +
                             property("level", choice("foxglove.LogLevel", "UNKNOWN,DEBUG,INFO,WARNING,ERROR,FATAL")) +
                             ',' + properties("message,name,file", text) + ',' + property("line", count));
+}
+
+std::string laserScanSchema() {
+    return objectSchema("foxglove.LaserScan", property("timestamp", time("time")) + ',' + property("frame_id", text) +
+                                                  ',' + property("pose", pose()) + ',' +
+                                                  properties("start_angle,end_angle", number) + ',' +
+                                                  properties("ranges,intensities", arraySchema(number)));
+}
+
+std::string pointCloudSchema() {
+    const std::string field = objectSchema(
+        "foxglove.PackedElementField",
+        property("name", text) + ',' + property("offset", count) + ',' +
+            property("type",
+                     choice("foxglove.NumericType", "UNKNOWN,UINT8,INT8,UINT16,INT16,UINT32,INT32,FLOAT32,FLOAT64")));
+    return objectSchema("foxglove.PointCloud",
+                        property("timestamp", time("time")) + ',' + property("frame_id", text) + ',' +
+                            property("pose", pose()) + ',' + property("point_stride", count) + ',' +
+                            property("fields", arraySchema(field)) + ',' + property("data", bytes));
+}
+
+std::string readingTitle(const RecordType& type) { return "mrose.Reading." + type.name; }
+
+std::string readingSchema(const RecordType& type) {
+    std::string fields;
+    for (const RecordField& field : type.fields)
+        fields += (fields.empty() ? "" : ",") + property(field.name, field.count == 1 ? number : arraySchema(number));
+    return objectSchema(readingTitle(type), property("timestamp", time("time")) + ',' +
+                                                property("records", arraySchema(objectSchema("", fields))));
 }
 
 std::string radioSchema() {

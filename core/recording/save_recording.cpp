@@ -17,6 +17,7 @@ public:
     RecordingSaver(std::span<const Branch> branches, std::span<const std::shared_ptr<const Scenario>> scenarios,
                    const ScenarioValuePointer& run, const SaveRecordingOptions& options)
         : branches_(branches), scenarios_(scenarios), run_(run), options_(options) {
+        trace_.asksUnread = true;
         for (const Branch& branch : branches) ticks_ += branch.timeline.last() - branch.timeline.first();
     }
 

@@ -12,6 +12,14 @@ namespace {
 
 constexpr Nanoseconds samplePeriod = nanosecondsPerSecond / 10;
 
+std::string prefixOf(std::uint32_t branch) { return branch == 0 ? "" : "branch_" + std::to_string(branch) + '/'; }
+
+std::vector<std::string> framesOf(const Scenario& scenario, std::uint32_t branch) {
+    std::vector<std::string> frames = bodyNames(scenario.scene());
+    for (std::string& frame : frames) frame = prefixOf(branch) + frame;
+    return frames;
+}
+
 }  // namespace
 
 SceneTopics::Schemas SceneTopics::addSchemas(mcap::Writer& writer, const Scenario& scenario) {
@@ -23,6 +31,7 @@ SceneTopics::Schemas SceneTopics::addSchemas(mcap::Writer& writer, const Scenari
     schemas.scene = add("foxglove.SceneUpdate", sceneUpdateSchema());
     schemas.log = add("foxglove.Log", logSchema());
     schemas.radio = add("mrose.Radio", radioSchema());
+    schemas.readings = ReadingTopics::addSchemas(writer);
     return addSchemas(writer, scenario, schemas);
 }
 
@@ -37,11 +46,12 @@ SceneTopics::Schemas SceneTopics::addSchemas(mcap::Writer& writer, const Scenari
 }
 
 SceneTopics::SceneTopics(mcap::Writer& writer, const Schemas& schemas, const Scenario& scenario, std::uint32_t branch)
-    : scenario_(scenario), names_(bodyNames(scenario.scene())), frames_(names_) {
-    const std::string prefix = branch == 0 ? "" : "branch_" + std::to_string(branch) + '/';
-    for (std::string& frame : frames_) frame = prefix + frame;
+    : scenario_(scenario),
+      names_(bodyNames(scenario.scene())),
+      frames_(framesOf(scenario, branch)),
+      readings_(writer, schemas.readings, scenario, frames_) {
     const auto add = [&](std::uint16_t schema, const char* topic) {
-        return writer.addChannel(schema, '/' + prefix + topic, "json");
+        return writer.addChannel(schema, '/' + prefixOf(branch) + topic, "json");
     };
     transforms_ = add(schemas.transforms, "tf");
     scene_ = add(schemas.scene, "scene");
@@ -66,6 +76,7 @@ void SceneTopics::add(mcap::Writer& writer, const WorldState& after, const StepT
         writer.addMessage(log_, time, message);
     if (const std::string message = radioMessage(scenario_.scene(), after, trace, names_); !message.empty())
         writer.addMessage(radio_, time, message);
+    readings_.add(writer, trace, time);
     pressed_.insert(pressed_.end(), trace.contacts.begin(), trace.contacts.end());
     if (after.tick % sampleTicks_ == 0) writeSample(writer, after);
 }

@@ -122,7 +122,11 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         robot.nextControl = state.tick + scenario.periodOf(i).ticks;
         buffers.due.push_back(i);
         const Decision* decision = overriding(overrides, i);
-        if (decision == nullptr && overrides.askControllers) {
+        const bool asked = decision == nullptr && overrides.askControllers;
+        // Before: sensors remember what they have told.
+        if (trace != nullptr && trace->asksUnread)
+            observeUnread(scenario, state, i, asked, buffers.sensing, trace->robots[i].unread);
+        if (asked) {
             observe(scenario, state, i, scenario.sensorMemory(state, i), buffers.sensing, buffers.observation);
             buffers.decision.clear();
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);

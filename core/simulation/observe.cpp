@@ -50,33 +50,61 @@ void receive(const Scenario& scenario, const SensorView& view, Observation& out)
     view.buffers.received.clear();
 }
 
-}  // namespace
-
-void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, std::span<std::byte> memory,
-             SensingBuffers& buffers, Observation& out) {
+/// What a robot's sensors are given in common at its control instant; sets what an observation says of that.
+SensorView viewOf(const Scenario& scenario, const WorldState& state, std::size_t robot, SensingBuffers& buffers,
+                  Observation& out) {
     const Scene& scene = scenario.scene();
-    SensorView view{scene, scenario.obstacles(), scenario.past(), state, static_cast<std::uint32_t>(robot), buffers, 0};
+    const SensorView view{
+        scene, scenario.obstacles(), scenario.past(), state, static_cast<std::uint32_t>(robot), buffers, 0};
     out.robot = view.robot;
     out.manipulators = static_cast<std::uint32_t>(scene.typeOf(robot).manipulators.size());
     out.time = view.timeBefore(0);
     out.noise = noiseBits(view.key(NoiseChannel::controller, 0));
     out.clearReadings();
-    const auto sensors = scenario.sensors(robot);
+    return view;
+}
+
+/// What arrives of one of them, as far as `view` wants it.
+void senseAll(const Scenario& scenario, SensorView& view, std::uint32_t place, std::span<std::byte> memory,
+              Observation& out) {
+    const Sensor& sensor = *scenario.sensors(view.robot)[place];
+    view.sensor = place;
+    view.sinceLast = scenario.periodOf(view.robot).seconds;
+    view.measured = out.time - sensor.latency();
+    if (sensor.period() == 0) return sensor.sense(view, memory, out);
     // Where its period was a longer one before, the past reaches back no further than this one.
-    const std::int64_t last = std::max(state.robots[robot].lastControl, state.tick - scenario.periodOf(robot).ticks);
-    for (std::uint32_t k = 0; k < sensors.size(); ++k) {
-        const Sensor& sensor = *sensors[k];
-        view.sensor = k;
+    const std::int64_t last =
+        std::max(view.state.robots[view.robot].lastControl, view.state.tick - scenario.periodOf(view.robot).ticks);
+    senseByItsClock(sensor, view, last, memory, out);
+}
+
+}  // namespace
+
+void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, std::span<std::byte> memory,
+             SensingBuffers& buffers, Observation& out) {
+    SensorView view = viewOf(scenario, state, robot, buffers, out);
+    const std::size_t sensors = scenario.sensors(robot).size();
+    for (std::uint32_t k = 0; k < sensors; ++k) {
         view.wanted = scenario.wanted(robot, k);
-        view.sinceLast = scenario.periodOf(robot).seconds;
-        view.measured = out.time - sensor.latency();
-        const std::span<std::byte> own = scenario.partOf(memory, robot, k);
-        if (sensor.period() == 0)
-            sensor.sense(view, own, out);
-        else
-            senseByItsClock(sensor, view, last, own, out);
+        senseAll(scenario, view, k, scenario.partOf(memory, robot, k), out);
     }
     if (!state.messages.empty() && scenario.readsMessages(robot)) receive(scenario, view, out);
+}
+
+void observeUnread(const Scenario& scenario, const WorldState& state, std::size_t robot, bool asked,
+                   SensingBuffers& buffers, Observation& out) {
+    SensorView view = viewOf(scenario, state, robot, buffers, out);
+    const std::size_t sensors = scenario.sensors(robot).size();
+    const std::size_t own = scenario.scene().typeOf(robot).sensors.size();
+    std::vector<std::byte> memory;
+    for (auto k = static_cast<std::uint32_t>(sensors - own); k < sensors; ++k) {
+        const std::size_t gives = scenario.sensors(robot)[k]->gives().size();
+        view.wanted = ~(asked ? scenario.wanted(robot, k) : 0u) & static_cast<std::uint32_t>((1ull << gives) - 1);
+        if (view.wanted == 0) continue;
+        const std::span<const std::byte> before = scenario.sensorMemory(state, robot, k);
+        memory.assign(before.begin(), before.end());
+        senseAll(scenario, view, k, memory, out);
+    }
 }
 
 }  // namespace mrose

@@ -14,4 +14,8 @@ namespace mrose {
 void observe(const Scenario& scenario, const WorldState& state, std::size_t robot, std::span<std::byte> memory,
              SensingBuffers& buffers, Observation& out);
 
+/// The rest of what its type's own sensors give: what its controller does not read, or, where it is not asked, all.
+void observeUnread(const Scenario& scenario, const WorldState& state, std::size_t robot, bool asked,
+                   SensingBuffers& buffers, Observation& out);
+
 }  // namespace mrose

@@ -14,6 +14,7 @@ void StepTrace::clear(std::size_t robotCount, std::size_t objectCount) {
     for (Robot& robot : robots) {
         robot.decided = robot.observed = robot.touched = false;
         robot.decision.clear();
+        robot.unread.clearReadings();
     }
     touchedObjects.assign(objectCount, false);
     contacts.clear();

@@ -36,6 +36,7 @@ struct StepTrace {
         bool decided = false;  ///< it was its control instant; what follows up to `predicted` is of it
         bool observed = false;
         Observation observation;
+        Observation unread;  ///< what its own sensors gave beside that, where `asksUnread`
         Decision decision;
         MotionStep predicted;
         bool touched = false;  ///< contact took it off its way
@@ -51,6 +52,9 @@ struct StepTrace {
         std::uint32_t robot = 0;
         std::string what;  ///< "its controller gave a command that is not finite"
     };
+
+    /// Asks for the readings of robots' [[sensor]]s that their controllers do not read, or that were not asked.
+    bool asksUnread = false;
 
     std::vector<Robot> robots;
     std::vector<ContactReport> contacts;

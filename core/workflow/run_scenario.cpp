@@ -78,6 +78,7 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     options.until = *until ? &**until : nullptr;
     options.endOnFault = request.endOnFault;
     options.checkRewind = request.checkRewind;
+    options.traceUnread = !request.recording.empty();
     const WorldState initial = scenario.initialState(request.seed.value_or(scenario.parts().seed));
     std::optional<RecordingWriter> writer;
     if (!request.recording.empty()) {

@@ -56,7 +56,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
       "experiment", "identification", "assessment", "diagnosis", "drawing"}},
     {"debug",
      {"io", "geometry", "world", "learning", "logs", "motion", "physics", "scene", "control", "messages", "scenario",
-      "simulation", "quantities", "condition", "recording", "assessment", "diagnosis", "perception"}},
+      "simulation", "quantities", "condition", "recording", "assessment", "diagnosis", "perception", "sensing"}},
     {"workflow",
      {"io",         "geometry",       "world",     "learning",   "logs",       "motion",     "perception", "physics",
       "scene",      "control",        "plugin",    "scenario",   "simulation", "quantities", "condition",  "recording",

@@ -1,10 +1,12 @@
 // What a frame of the window costs at 1280 x 800: making it of a run, and painting it.
 #include <QApplication>
+#include <numbers>
 
 #include <benchmark/benchmark.h>
 
 #include "debug/run_frame.h"
 #include "scenario/scenario_file.h"
+#include "sensing/laser.h"
 #include "support/scenes.h"
 #include "widgets/field_view.h"
 #include "widgets/timeline_bar.h"
@@ -14,7 +16,8 @@ namespace {
 
 /// A run that has gone on for as long as trails reach back.
 struct Run {
-    Run(std::uint32_t robots, std::size_t trailTicks) : travel(open(crowd(robots))) {
+    Run(std::uint32_t robots, std::size_t trailTicks, const std::vector<SensorPointer>& sensors = {})
+        : travel(open(crowd(robots, sensors))) {
         options.trailTicks = trailTicks;
         for (std::size_t i = 0; i < trailTicks; ++i) (void)travel.forward();
     }
@@ -28,11 +31,13 @@ struct Run {
         return run;
     }
 
-    static Scenario crowd(std::uint32_t robots) {
+    static Scenario crowd(std::uint32_t robots, const std::vector<SensorPointer>& sensors) {
         FieldOptions field;
         field.robots = robots;
         field.perception = cameraPerception(5);
-        return fieldScenario(field);
+        ScenarioParts parts = fieldScenario(field).parts();
+        for (RobotType& type : parts.scene.robotTypes) type.sensors = sensors;
+        return Scenario(std::move(parts));
     }
 
     TimeTravel travel;
@@ -49,7 +54,18 @@ Run& crowd() {
     return run;
 }
 
-FieldLayers allButScans() {
+/// Each robot has a scanner of 180 beams, which its controller does not read.
+Run& scanning() {
+    Laser::Options options;
+    options.beams = 180;
+    options.first = -std::numbers::pi / 2;
+    options.step = std::numbers::pi / 179;
+    options.errors.range = 8;
+    static Run run(8, 2000, {std::make_shared<const Laser>(SensorTraits{"laser", 0}, options)});
+    return run;
+}
+
+FieldLayers allButSensorFields() {
     FieldLayers layers;
     for (const FieldLayerText& text : fieldLayerTexts) layers.set(text.layer, text.layer != FieldLayer::sensors);
     return layers;
@@ -60,11 +76,11 @@ void makeFrame(benchmark::State& state, Run& run) {
 }
 
 /// One tick further each time, as while playing: what is kept from frame to frame is not all that is measured.
-void paint(benchmark::State& state, Run& run, bool selected, bool scans = false) {
+void paint(benchmark::State& state, Run& run, bool selected, bool sensorFields = false) {
     FieldView view;
     view.resize(1280, 800);
-    FieldLayers layers = allButScans();
-    layers.set(FieldLayer::sensors, scans);
+    FieldLayers layers = allButSensorFields();
+    layers.set(FieldLayer::sensors, sensorFields);
     view.setLayers(layers);
     view.show();
     constexpr int ticks = 50;
@@ -105,7 +121,9 @@ void paintTimeline(benchmark::State& state) {
 BENCHMARK_CAPTURE(makeFrame, eightRobotsOf2000Points, few())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(makeFrame, thousandRobotsOf100Points, crowd())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(paint, eightRobotsOf2000Points, few(), true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(paint, eightRobotsAndScans, few(), true, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(paint, eightRobotsAndSensorFields, few(), true, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(makeFrame, eightRobotsWithLasers, scanning())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(paint, eightRobotsWithLasers, scanning(), true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(paint, thousandRobotsOf100Points, crowd(), true)->Unit(benchmark::kMillisecond);
 BENCHMARK(paintTimeline)->Unit(benchmark::kMillisecond);
 

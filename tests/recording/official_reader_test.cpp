@@ -99,7 +99,7 @@ TEST_F(OfficialReader, FindsAllThatTheSummaryTells) {
     ASSERT_FALSE(attachments.empty());
     EXPECT_EQ(attachments[0][0], "mrose/scenario/0");
     const std::size_t messages = walkMessages(file).size();
-    EXPECT_EQ(index["statistics"], (std::vector<std::size_t>{messages, 5, 12, attachments.size(), 2, chunks}));
+    EXPECT_EQ(index["statistics"], (std::vector<std::size_t>{messages, 7, 12, attachments.size(), 2, chunks}));
     EXPECT_EQ(index["library"], "mrose " + thisOrigin().version);
     EXPECT_EQ(index["metadata"]["mrose.run"]["scenario"], "match");
     EXPECT_EQ(index["metadata"]["mrose.run"]["seed"], "77");

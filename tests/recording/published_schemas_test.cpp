@@ -6,6 +6,7 @@
 
 #include "io/file.h"
 #include "recording/mcap_walk.h"
+#include "recording/message_schemas.h"
 #include "recording/node_modules.h"
 #include "recording/recording_fixture.h"
 #include "support/places.h"
@@ -55,12 +56,16 @@ TEST_F(RecordingFile, SchemasAreThoseThatFoxglovePublishes) {
     const auto modules = nodeModulesWith("@foxglove/schemas");
     if (!modules) GTEST_SKIP() << "no node, or no @foxglove/schemas: run tests/recording/install_reader";
     const std::string script = (sourceFolder() / "tests/recording/print_foxglove_schemas.cjs").string();
-    const ProgramResult printed =
-        RunningProgram({"/usr/bin/env", "node", script, *modules, "FrameTransforms", "SceneUpdate", "Log"}).finish();
+    const ProgramResult printed = RunningProgram({"/usr/bin/env", "node", script, *modules, "FrameTransforms",
+                                                  "SceneUpdate", "Log", "LaserScan", "PointCloud"})
+                                      .finish();
     ASSERT_EQ(printed.status, 0) << printed.err;
     const Json published = Json::parse(printed.out);
     std::set<std::string> compared;
-    for (const auto& [topic, schema] : walkSchemas(*readFile(record()))) {
+    std::map<std::string, Json> schemas = walkSchemas(*readFile(record()));
+    schemas["/ROBOT/laser"] = Json::parse(laserScanSchema());
+    schemas["/ROBOT/sonar"] = Json::parse(pointCloudSchema());
+    for (const auto& [topic, schema] : schemas) {
         const std::string title = schema["title"];
         if (!title.starts_with("foxglove.")) continue;
         ASSERT_TRUE(published.contains(title)) << title;
