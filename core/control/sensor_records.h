@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "control/reading.h"
+#include "world/colour_class.h"
 
 namespace mrose {
 
@@ -36,6 +37,23 @@ struct BumperContact {
 struct WheelTicks {
     std::int64_t left = 0, right = 0;
     bool operator==(const WheelTicks&) const = default;
+};
+
+/// A pixel of a line camera.
+struct ColourPixel {
+    double bearing = 0;  ///< rad, of its middle
+    ColourClass colourClass = ColourClass::nothing;
+    std::uint32_t unused = 0;
+    bool operator==(const ColourPixel&) const = default;
+};
+
+/// Neighbouring pixels of one class, as many as there are.
+struct ColourBlob {
+    double bearing = 0;  ///< rad, of its middle: its edges are half its width to the left and to the right
+    double width = 0;    ///< rad
+    ColourClass colourClass = ColourClass::nothing;
+    std::uint32_t pixels = 0;
+    bool operator==(const ColourBlob&) const = default;
 };
 
 inline const RecordType rangeEchoRecord{"range_echo",
@@ -73,6 +91,26 @@ inline const RecordType wheelTicksRecord{"wheel_ticks",
 template <>
 inline const RecordType& recordType<WheelTicks>() {
     return wheelTicksRecord;
+}
+
+inline const RecordType colourPixelRecord{"colour_pixel",
+                                          sizeof(ColourPixel),
+                                          {field<double>("bearing", "rad", offsetof(ColourPixel, bearing)),
+                                           field<std::uint32_t>("class", "", offsetof(ColourPixel, colourClass))}};
+template <>
+inline const RecordType& recordType<ColourPixel>() {
+    return colourPixelRecord;
+}
+
+inline const RecordType colourBlobRecord{"colour_blob",
+                                         sizeof(ColourBlob),
+                                         {field<double>("bearing", "rad", offsetof(ColourBlob, bearing)),
+                                          field<double>("width", "rad", offsetof(ColourBlob, width)),
+                                          field<std::uint32_t>("class", "", offsetof(ColourBlob, colourClass)),
+                                          field<std::uint32_t>("pixels", "", offsetof(ColourBlob, pixels))}};
+template <>
+inline const RecordType& recordType<ColourBlob>() {
+    return colourBlobRecord;
 }
 
 }  // namespace mrose

@@ -193,14 +193,37 @@ std::string TomlTable::stringOr(std::string_view key, std::string fallback) {
     return has(key) ? string(key) : std::move(fallback);
 }
 
+namespace {
+
+std::string noneOfText(const std::string& value, std::span<const std::string_view> choices) {
+    std::string expected;
+    for (const std::string_view c : choices) expected += (expected.empty() ? "\"" : ", \"") + std::string(c) + '"';
+    return "is \"" + value + "\"; expected one of " + expected;
+}
+
+}  // namespace
+
 std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> choices) {
     const std::string value = string(key);
     const auto found = std::find(choices.begin(), choices.end(), value);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
-    std::string expected;
-    for (const std::string_view c : choices) expected += (expected.empty() ? "\"" : ", \"") + std::string(c) + '"';
-    reject(key, "is \"" + value + "\"; expected one of " + expected);
+    reject(key, noneOfText(value, choices));
     return 0;
+}
+
+std::vector<std::size_t> TomlTable::someChoices(std::string_view key, std::span<const std::string_view> choices) {
+    std::vector<std::size_t> chosen;
+    const std::vector<std::string> values = strings(key);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto found = std::find(choices.begin(), choices.end(), values[i]);
+        const auto choice = static_cast<std::size_t>(found - choices.begin());
+        if (found == choices.end())
+            rejectElement(key, i, noneOfText(values[i], choices));
+        else if (std::find(chosen.begin(), chosen.end(), choice) != chosen.end())
+            rejectElement(key, i, "is there twice: \"" + values[i] + '"');
+        chosen.push_back(choice);
+    }
+    return chosen;
 }
 
 std::vector<std::string> TomlTable::strings(std::string_view key) {

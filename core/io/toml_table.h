@@ -48,6 +48,8 @@ public:
     std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices) {
         return choice(key, std::span(choices.begin(), choices.size()));
     }
+    /// An array of some of `choices`, none twice; their indices.
+    std::vector<std::size_t> someChoices(std::string_view key, std::span<const std::string_view> choices);
     std::vector<std::string> strings(std::string_view key);
     /// Exactly `count` finite numbers in `range`.
     std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "io/toml_text.h"
 #include "scenario/description_reader.h"
@@ -63,6 +64,14 @@ std::vector<ShapePart> segments(TomlTable& table, const Polygon& line, bool clos
     return parts;
 }
 
+/// All but nothing, and what depends on who looks.
+ColourClass colourClassOr(TomlTable& table, ColourClass fallback) {
+    constexpr std::span words = std::span(colourClassWords).subspan(1, 10);
+    static_assert(words.back() == "robot");
+    if (!table.has("colour_class")) return fallback;
+    return static_cast<ColourClass>(1 + table.choice("colour_class", words));
+}
+
 Obstacle readWall(TomlTable& table, const Surface& surface) {
     Obstacle wall;
     wall.wall = true;
@@ -72,6 +81,7 @@ Obstacle readWall(TomlTable& table, const Surface& surface) {
     const double thickness = table.number("thickness_m", {leastLength, 10});
     const std::size_t side = table.has("side") ? table.choice("side", {"both", "left", "right"}) : 0;
     const Colour colour = colourOr(table, "colour", stone);
+    wall.colourClass = colourClassOr(table, ColourClass::wall);
     wall.surface = surfaceOr(table, "surface", surface);
     table.rejectUnknown();
     if (table.failed()) return wall;
@@ -89,6 +99,7 @@ Obstacle readObstacle(TomlTable& table, const Surface& surface) {
     obstacle.name = parts[0].name.empty() ? "obstacle" : parts[0].name;
     obstacle.surface = surfaceOr(table, "surface", surface);
     obstacle.landmark = nameOr(table, "landmark", "");
+    obstacle.colourClass = colourClassOr(table, obstacle.colourClass);
     table.rejectUnknown();
     if (!table.failed()) obstacle.shape = Shape::fromParts(obstacle.name, std::move(parts));
     return obstacle;

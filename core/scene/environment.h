@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/shape.h"
+#include "world/colour_class.h"
 
 namespace mrose {
 
@@ -22,9 +23,10 @@ struct Obstacle {
     Surface surface;
     bool wall = false;       ///< was described as one
     std::string landmark{};  ///< the name by which sensors and logs know it; "": it is no landmark
+    ColourClass colourClass = ColourClass::obstacle;  ///< as what colour cameras see it
 };
 
-/// A line on the floor: a polyline, or a circle; for the eye only.
+/// A line on the floor: a polyline, or a circle; for the eye and for cameras.
 struct Marking {
     std::vector<Point> points;
     bool closed = false;

@@ -52,22 +52,25 @@ bool Outlines::inSector(const Point& centre, double reach) const {
     return std::abs(centre.y) * halfCosine_ - centre.x * halfSine_ <= reach + outlineRounding;
 }
 
-void Outlines::add(const ConvexPiece& piece, const Placement& placement) {
+void Outlines::add(const ConvexPiece& piece, const Placement& placement, std::uint32_t owner) {
     if (!inSector(placement.place(piece.centre), piece.reach)) return;
     if (piece.isCircle()) {
-        circles_.push_back({placement.place(piece.corners[0]), piece.radius});
+        circles_.push_back({placement.place(piece.corners[0]), piece.radius, owner});
         return;
     }
     const auto first = static_cast<std::uint32_t>(corners_.size());
     for (std::size_t i = 0; i < piece.count; ++i) corners_.push_back(placement.place(piece.corners[i]));
-    polygons_.push_back({first, static_cast<std::uint32_t>(corners_.size())});
+    polygons_.push_back({first, static_cast<std::uint32_t>(corners_.size()), owner});
 }
 
 void Outlines::addObstacles(const SensorView& view) {
     const ObstacleIndex& obstacles = view.obstacles;
     const Placement seen = seenFrom(frame_, Placement());
     const auto [least, most] = boxOfSector(frame_, halfCosine_, halfSine_, sector_.range, 0);
-    obstacles.visitBox(least, most, [&](std::uint32_t piece) { add(obstacles.pieces()[piece], seen); });
+    const auto bodies = static_cast<std::uint32_t>(view.scene.bodyCount());
+    obstacles.visitBox(least, most, [&](std::uint32_t piece) {
+        add(obstacles.pieces()[piece], seen, bodies + obstacles.obstacleOf(piece));
+    });
 }
 
 void Outlines::addBodies(const SensorView& view) {
@@ -80,7 +83,7 @@ void Outlines::addBodies(const SensorView& view) {
             if (!inSector(frame_.placeBack(entry.point), widest) || body == view.robot) continue;
             const Shape& shape = view.scene.shapeOf(body);
             const Placement seen = seenFrom(frame_, Placement(view.poseAt(body, moment)));
-            for (const ConvexPiece& piece : shape.pieces) add(piece, seen);
+            for (const ConvexPiece& piece : shape.pieces) add(piece, seen, body);
         }
     });
 }

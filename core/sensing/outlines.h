@@ -14,13 +14,17 @@ struct SensorView;
 /// obstacles and of all bodies but its own, in one frame. Kept from measurement to measurement for its memory.
 class Outlines {
 public:
+    /// Of outlines, `owner` is whose it is: a body's number, or one of Environment::obstacles beyond all bodies'.
+
     /// A convex polygon. Its corners are counter-clockwise: seen from outside an edge goes from left to right.
     struct Polygon {
         std::uint32_t first = 0, end = 0;  ///< among corners()
+        std::uint32_t owner = 0;
     };
     struct Circle {
         Point centre;
         double radius = 0;
+        std::uint32_t owner = 0;
     };
 
     /// Where one looks: a sector about the frame's x, which begins at its origin.
@@ -41,7 +45,7 @@ public:
 private:
     /// Whether a disc is not wholly outside.
     bool inSector(const Point& centre, double reach) const;
-    void add(const ConvexPiece& piece, const Placement& placement);
+    void add(const ConvexPiece& piece, const Placement& placement, std::uint32_t owner);
     void addObstacles(const SensorView& view);
     void addBodies(const SensorView& view);
 

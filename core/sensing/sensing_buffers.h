@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "control/observation.h"
+#include "control/sensor_records.h"
 #include "perception/reading_distribution.h"
 #include "scene/point_grid.h"
 #include "scene/scene.h"
+#include "sensing/beam_fan.h"
 #include "sensing/cone_view.h"
+#include "sensing/floor_lines.h"
 #include "sensing/outlines.h"
 #include "sensing/outlook.h"
 #include "sensing/radio_traffic.h"
@@ -48,6 +51,11 @@ public:
     Outlines outlines;
     ConeView cone;
     std::vector<double> ranges;
+    std::vector<std::uint32_t> owners;
+    BeamFan fan;
+    FloorLines floorLines;
+    std::vector<ColourPixel> row;
+    std::vector<ColourBlob> blobs;
     SimulatedView simulated;
     std::vector<SensedState> states;
     std::vector<std::uint32_t> which, reported;

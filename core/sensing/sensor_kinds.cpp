@@ -7,6 +7,7 @@
 #include "sensing/bumpers.h"
 #include "sensing/infrared_ring.h"
 #include "sensing/laser.h"
+#include "sensing/line_camera.h"
 #include "sensing/odometry.h"
 #include "sensing/self_localisation.h"
 #include "sensing/sensor_keys.h"
@@ -66,7 +67,8 @@ constexpr SensorKind kinds[] = {{"camera", readCamera},
                                 {"sonar", readSonarRing},
                                 {"infrared", readInfraredRing},
                                 {"bumpers", readBumpers},
-                                {"wheel_encoders", readWheelEncoders}};
+                                {"wheel_encoders", readWheelEncoders},
+                                {"line_camera", readLineCamera}};
 
 /// What every robot's sensors are called, and what a controller and a motion model have of their own.
 constexpr ReadingName takenNames[] = {selfReading,     odometryReading, robotsReading, objectsReading,

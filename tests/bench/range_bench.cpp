@@ -10,6 +10,7 @@
 #include "bench/timing.h"
 #include "sensing/infrared_ring.h"
 #include "sensing/laser.h"
+#include "sensing/line_camera.h"
 #include "sensing/sensor_view.h"
 #include "sensing/sonar_ring.h"
 #include "simulation/step.h"
@@ -190,11 +191,29 @@ void timeRings() {
                 1e9 * measure(8, InfraredRing({"ring"}, infrared)).ours / 24);
 }
 
+void timeRows() {
+    LineCamera::Options exact;
+    exact.width = 320;
+    exact.view = 0.85;
+    exact.range = 10;
+    exact.blobClasses = {ColourClass::ball, ColourClass::robot};
+    LineCamera::Options blurred = exact, down = exact;
+    blurred.edgeNoise = 0.5;
+    blurred.misclassification = 0.01;
+    down.floor = 2;
+    const auto timeOf = [](const LineCamera::Options& options) {
+        return 1e9 * measure(8, LineCamera({"scan"}, options)).ours / static_cast<double>(options.width);
+    };
+    std::printf("Line cameras of 320 pixels on eight robots: %.1f ns a pixel, blurred %.1f, meeting the floor %.1f\n",
+                timeOf(exact), timeOf(blurred), timeOf(down));
+}
+
 }  // namespace
 }  // namespace mrose::bench
 
 int main() {
     mrose::bench::compareScans();
     mrose::bench::timeRings();
+    mrose::bench::timeRows();
     return 0;
 }

@@ -61,6 +61,22 @@ TEST(EnvironmentFile, GivesWhatTheFileHolds) {
     EXPECT_EQ(environment->markings[1].colour, (Colour{0, 255, 0}));
 }
 
+TEST(EnvironmentFile, SaysAsWhatCamerasSeeWhatStands) {
+    const std::string wall = "[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\n",
+                      post = "[[obstacle]]\ncircle = { centre_m = [5, 5], radius_m = 0.1 }\n";
+    const Environment plain = parsed(wall + post);
+    EXPECT_EQ(plain.obstacles[0].colourClass, ColourClass::wall);
+    EXPECT_EQ(plain.obstacles[1].colourClass, ColourClass::obstacle);
+    const Environment said = parsed(wall + "colour_class = \"yellow_goal\"\n" + post + "colour_class = \"robot\"\n");
+    EXPECT_EQ(said.obstacles[0].colourClass, ColourClass::yellowGoal);
+    EXPECT_EQ(said.obstacles[1].colourClass, ColourClass::robot);
+    for (const char* const word : {"nothing", "opponent", "red"})
+        EXPECT_EQ(environmentRefusal(wall + "colour_class = \"" + word + "\"\n"),
+                  "f:7:16: wall[1].colour_class: is \"" + std::string(word) +
+                      "\"; expected one of \"floor\", \"marking\", \"wall\", \"obstacle\", \"yellow_goal\", "
+                      "\"blue_goal\", \"ball\", \"box\", \"person\", \"robot\"");
+}
+
 TEST(EnvironmentFile, LandmarksAreListedInTheOrderOfTheirObstacles) {
     const Environment environment = parsed(
         "[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\n"
@@ -123,7 +139,8 @@ TEST(EnvironmentFile, EveryMistakeNamesItsPlace) {
         {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nclosed = 1",
          "f:7:10: wall[1].closed: expected true or false"},
         {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nheight_m = 1",
-         "f:7:12: wall[1].height_m: is not a known key; expected one of closed, colour, name, points_m, side, surface, "
+         "f:7:12: wall[1].height_m: is not a known key; expected one of closed, colour, colour_class, name, points_m, "
+         "side, surface, "
          "thickness_m"},
         {"[[obstacle]]\nname = \"a\"",
          "f:4:1: obstacle[\"a\"].polygon_m: expected either polygon_m = [[x, y], ...] or circle = { centre_m, radius_m "
@@ -137,7 +154,8 @@ TEST(EnvironmentFile, EveryMistakeNamesItsPlace) {
         {"[[obstacle]]\nlandmark = 6\ncircle = { radius_m = 1 }",
          "f:5:12: obstacle[1].landmark: expected a text in quotes"},
         {"[[wall]]\npoints_m = [[0, 0], [1, 0]]\nthickness_m = 0.1\nlandmark = \"6\"",
-         "f:7:12: wall[1].landmark: is not a known key; expected one of closed, colour, name, points_m, side, surface, "
+         "f:7:12: wall[1].landmark: is not a known key; expected one of closed, colour, colour_class, name, points_m, "
+         "side, surface, "
          "thickness_m"},
         {"[[goal]]\narea_m = [[0, 0], [1, 0], [0, 1]]", "f:4:1: goal[1].name: is missing"},
         {"[[goal]]\nname = \"a\"\narea_m = [[0, 0], [1, 0], [0, 1]]\n[[goal]]\nname = \"a\"\narea_m = [[0, 0], [1, 0], "

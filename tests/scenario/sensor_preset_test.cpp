@@ -113,6 +113,40 @@ TEST(SensorFiles, WhatIsWrongIsOneLineWithFileLineAndKey) {
                 HasSubstr("ticks_per_m: is 0.0; expected 1.0 to"));
 }
 
+TEST(SensorFiles, WhatIsWrongWithALineCameraIsOneLine) {
+    const std::string camera = "kind = \"line_camera\"\nrange_m = 9\n", width = "width = 320\n",
+                      view = "view_deg = 48\n";
+    const std::string whole = camera + width + view;
+    EXPECT_EQ(sensorRefusal(whole), "");
+    EXPECT_EQ(sensorRefusal(whole + "floor_m = 1.5\nedge_noise_px = 0.5\nmisclassification = 0.01\nlatency_s = 0.1\n"
+                                    "blobs = [\"ball\", \"blue_goal\"]\nleast_blob_px = 3\n"),
+              "");
+    EXPECT_EQ(sensorRefusal(camera + width + "lens = \"equiangular\"\nview_deg = 360\n"), "");
+    for (const auto& [keys, expected] : std::map<std::string, std::string>{
+             {camera + view, "sensor[\"s\"].width: is missing"},
+             {camera + width, "sensor[\"s\"].view_deg: is missing"},
+             {"kind = \"line_camera\"\n" + width + view, "sensor[\"s\"].range_m: is missing"},
+             {camera + view + "width = 0\n", "sensor[\"s\"].width: expected a whole number from 1 to 4096"},
+             {camera + width + "view_deg = 180\n", "sensor[\"s\"].view_deg: is 180.0; expected 0.1 to 170.0"},
+             {camera + width + "lens = \"equiangular\"\nview_deg = 361\n",
+              "sensor[\"s\"].view_deg: is 361.0; expected 0.1 to 360.0"},
+             {whole + "lens = \"fisheye\"\n",
+              "sensor[\"s\"].lens: is \"fisheye\"; expected one of \"pinhole\", \"equiangular\""},
+             {whole + "floor_m = 9.5\n", "sensor[\"s\"].floor_m: is 9.5; expected 0.01 to 9.0"},
+             {whole + "edge_noise_px = -1\n", "sensor[\"s\"].edge_noise_px: is -1.0; expected 0.0 to 10.0"},
+             {whole + "misclassification = 2\n", "sensor[\"s\"].misclassification: is 2.0; expected 0.0 to 1.0"},
+             {whole + "blobs = [\"ball\", \"nothing\"]\n",
+              "sensor[\"s\"].blobs[2]: is \"nothing\"; expected one of \"floor\", \"marking\""},
+             {whole + "blobs = [\"ball\", \"ball\"]\n", "sensor[\"s\"].blobs[2]: is there twice: \"ball\""},
+             {whole + "least_blob_px = 0\n", "sensor[\"s\"].least_blob_px: expected a whole number from 1 to 4096"},
+             {whole + "latency_s = 2\n", "sensor[\"s\"].latency_s: is 2.0; expected 0.0 to 1.0"},
+             {whole + "position_m = [3.0, 0.0]\n", "sensor[\"s\"].position_m: is at 3.0, 0.0, outside"},
+             {whole + "beams = 3\n", "sensor[\"s\"].beams: is not a known key"}}) {
+        EXPECT_THAT(sensorRefusal(keys), HasSubstr(expected));
+        EXPECT_THAT(sensorRefusal(keys), testing::MatchesRegex("r.toml:[0-9]+:[0-9]+: [^\n]*"));
+    }
+}
+
 TEST(SensorPreset, ThoseThatShipAreSoundAndFitTheirRobots) {
     std::size_t count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() / "resources" / "sensors")) {
@@ -130,7 +164,7 @@ TEST(SensorPreset, ThoseThatShipAreSoundAndFitTheirRobots) {
         EXPECT_TRUE(loaded) << name << ": " << loaded.error().message();
         ++count;
     }
-    EXPECT_EQ(count, 5u);
+    EXPECT_EQ(count, 6u);
 }
 
 }  // namespace

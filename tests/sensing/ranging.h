@@ -18,16 +18,20 @@ namespace mrose {
 /// What a ray meets, by solving for each part of each outline: independent of pieces, grids and fans.
 struct RayHit {
     double range = std::numeric_limits<double>::infinity();
-    double incidence = 0;  ///< cosine of the angle to the normal
+    double incidence = 0;                                 ///< cosine of the angle to the normal
+    std::optional<std::size_t> obstacle = {}, body = {};  ///< whose outline, the first's of some that lie there
 };
 
 /// `from`, `along`: in the world; `robot` is not met.
 inline RayHit solvedRay(const Scenario& scenario, const WorldState& state, std::size_t robot, const Point& from,
                         const Point& along) {
-    RayHit hit;
+    RayHit hit, owner;
     const auto meet = [&](double range, const Point& normal) {
         const double facing = -dot(along, normal);
-        if (range >= 0 && facing > 0 && range < hit.range) hit = {range, facing};
+        if (!(range >= 0 && facing > 0 && range < hit.range)) return;
+        if (range < hit.range - 1e-9) hit.obstacle = owner.obstacle, hit.body = owner.body;
+        hit.range = range;
+        hit.incidence = facing;
     };
     const auto meetShape = [&](const Shape& shape, const Pose& pose) {
         const Placement frame(pose);
@@ -52,9 +56,16 @@ inline RayHit solvedRay(const Scenario& scenario, const WorldState& state, std::
             }
         }
     };
-    for (const Obstacle& obstacle : scenario.scene().environment.obstacles) meetShape(obstacle.shape, {});
-    for (std::size_t body = 0; body < scenario.scene().bodyCount(); ++body)
+    const std::vector<Obstacle>& obstacles = scenario.scene().environment.obstacles;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        owner.obstacle = i;
+        meetShape(obstacles[i].shape, {});
+    }
+    owner.obstacle.reset();
+    for (std::size_t body = 0; body < scenario.scene().bodyCount(); ++body) {
+        owner.body = body;
         if (body != robot) meetShape(scenario.scene().shapeOf(body), poseOf(state, body));
+    }
     return hit;
 }
 
