@@ -104,12 +104,14 @@ bool hasScan(const std::vector<RobotScans>& scans, FieldLayer layer);
 /// Below bodies: what a laser's beams passed, from where sonars' echoes came, how much light came back.
 void drawScanAreas(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                    const std::vector<RobotScans>& scans);
-/// Above them: what beams met; bumpers.
+/// Above them: what beams met; bumpers; rows of pixels.
 void drawScanMarks(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus,
                    const std::vector<RobotScans>& scans);
-/// How an echo and a bumper look; angles as Qt's arcs have them, in 1/16 degree.
+/// How an echo, a bumper and pixels look; angles as Qt's arcs have them, in 1/16 degree.
 void drawEcho(QPainter& painter, const QRectF& circle, int first, int span, const QColor& colour);
 void drawBumperSegment(const FieldCanvas& canvas, const QPolygonF& line, bool pressed);
+/// Neighbouring pixels of a line camera.
+void drawPixelStrip(const FieldCanvas& canvas, const QPolygonF& line, ColourClass colourClass);
 /// Of the echoes at a place in pixels, a line each; empty: there are none.
 QString scanReadout(const ViewTransform& view, const FieldFrame& frame, const std::vector<RobotScans>& scans,
                     const QPointF& pixels);

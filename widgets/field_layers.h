@@ -18,6 +18,7 @@ enum class FieldLayer {
     sonar,
     infrared,
     bumpers,
+    lineCameras,
     radio,
     contacts,
     predicted,
@@ -54,6 +55,8 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
     {FieldLayer::infrared, "layer_infrared", "Infrared", "3", "How much of their light infrared sensors got back last",
      true},
     {FieldLayer::bumpers, "layer_bumpers", "Bumpers", "4", "Bumpers' segments, and which of them are pressed", true},
+    {FieldLayer::lineCameras, "layer_line_cameras", "Line cameras", "5",
+     "The row of pixels that a line camera saw last, as a strip about its robot, and where the blobs in it are", true},
     {FieldLayer::radio, "layer_radio", "Radio", "W",
      "Messages of the last moments, from where they were sent to where they were received; crossed where they were "
      "lost, and barred where the range ends",

@@ -50,6 +50,7 @@ bool draws(const FieldFrame& frame, const FieldLayers& layers, FieldLayer layer,
         case FieldLayer::sonar:
         case FieldLayer::infrared:
         case FieldLayer::bumpers:
+        case FieldLayer::lineCameras:
             return hasScan(shownScans(frame, layers, focus), layer);
         case FieldLayer::radio:
             return !shownMessages(frame, focus).empty();

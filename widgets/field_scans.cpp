@@ -31,6 +31,8 @@ FieldLayer layerOf(Kind kind) {
             return FieldLayer::infrared;
         case Kind::bumpers:
             return FieldLayer::bumpers;
+        case Kind::lineCamera:
+            return FieldLayer::lineCameras;
     }
     return FieldLayer::laser;
 }
@@ -160,6 +162,100 @@ void drawSegments(const FieldCanvas& canvas, const SensorScan& scan, const Shape
     }
 }
 
+/// Of the colours that a league's rules or a field give what is there.
+QColor colourOf(ColourClass colourClass) {
+    switch (colourClass) {
+        case ColourClass::nothing:
+            return {90, 90, 96};
+        case ColourClass::floor:
+            return {38, 140, 74};
+        case ColourClass::marking:
+            return {255, 255, 255};
+        case ColourClass::wall:
+            return {214, 214, 220};
+        case ColourClass::obstacle:
+            return {150, 120, 95};
+        case ColourClass::yellowGoal:
+            return {250, 205, 0};
+        case ColourClass::blueGoal:
+            return {40, 90, 215};
+        case ColourClass::ball:
+            return {255, 110, 0};
+        case ColourClass::box:
+            return {176, 132, 84};
+        case ColourClass::person:
+            return {232, 178, 150};
+        case ColourClass::robot:
+            return {20, 20, 24};
+        case ColourClass::teamMate:
+            return {60, 205, 230};
+        case ColourClass::opponent:
+            return {225, 40, 130};
+    }
+    return {};
+}
+
+constexpr double stripGap = 11, stripWidth = 6;  // pixels
+
+/// Visits the runs of pixels of one class, each by its first one and how many they are.
+template <class Visit>
+void visitRuns(std::span<const ColourPixel> row, Visit visit) {
+    for (std::size_t first = 0, next = 0; first < row.size(); first = next) {
+        while (next < row.size() && row[next].colourClass == row[first].colourClass) ++next;
+        visit(first, next - first);
+    }
+}
+
+double halfPixel(std::span<const ColourPixel> row, std::size_t i) {
+    const std::size_t other = i + 1 < row.size() ? i + 1 : i - 1;
+    return row.size() < 2 ? 0.01
+                          : std::abs(std::remainder(row[other].bearing - row[i].bearing, 2 * std::numbers::pi)) / 2;
+}
+
+/// On a circle about the camera, outside of its robot.
+void drawRow(const FieldCanvas& canvas, const SensorScan& scan, const Shape& shape) {
+    const auto row = scan.known.records<ColourPixel>();
+    const Pose camera = inWorld(scan, {scan.elements.front().mount, 0, 0});
+    const double radius = canvas.pixels(shape.reach) + stripGap;
+    visitRuns(row, [&](std::size_t first, std::size_t count) {
+        const double from = row[first].bearing - halfPixel(row, first);
+        const double to = from +
+                          std::remainder(row[first + count - 1].bearing - row[first].bearing, 2 * std::numbers::pi) +
+                          halfPixel(row, first) + halfPixel(row, first + count - 1);
+        const double width = to - from + (to < from ? 2 * std::numbers::pi : 0);
+        const int steps = std::max(1, static_cast<int>(std::ceil(width / 0.05)));
+        QPolygonF line;
+        for (int k = 0; k <= steps; ++k)
+            line.append(canvas.at(position(camera)) +
+                        radius * canvas.view.along(scan.eye.heading + from + width * k / steps));
+        drawPixelStrip(canvas, line, row[first].colourClass);
+    });
+}
+
+/// Of the run of pixels whose part of the strip is there.
+QString rowReadout(const ViewTransform& view, const SensorScan& scan, const Shape& shape, const QPointF& pixels) {
+    const auto row = scan.known.records<ColourPixel>();
+    const Pose camera = inWorld(scan, {scan.elements.front().mount, 0, 0});
+    const QPointF off = pixels - view.toPixels(position(camera));
+    if (std::abs(std::hypot(off.x(), off.y()) - shape.reach * view.scale() - stripGap) > stripWidth / 2 + 1) return {};
+    const double bearing = direction(view.toMetres(pixels) - position(camera)) - scan.eye.heading;
+    const auto away = [&](std::size_t i) {
+        return std::abs(std::remainder(bearing - row[i].bearing, 2 * std::numbers::pi));
+    };
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < row.size(); ++i)
+        if (away(i) < away(nearest)) nearest = i;
+    QString said;
+    visitRuns(row, [&](std::size_t first, std::size_t count) {
+        if (nearest < first || nearest >= first + count || away(nearest) > 1.1 * halfPixel(row, nearest)) return;
+        said = QObject::tr("%1, %2 pixels, at %3\u00b0")
+                   .arg(qtText(std::string(wordOf(row[nearest].colourClass))))
+                   .arg(count)
+                   .arg(fixedText(row[nearest].bearing * radianInDegrees, 1));
+    });
+    return said;
+}
+
 QString rangeText(const RangeEcho& echo) {
     return QObject::tr("%1 m at %2\u00b0").arg(fixedText(echo.range, 2), fixedText(echo.bearing * radianInDegrees, 1));
 }
@@ -197,11 +293,35 @@ QString glowReadout(const ViewTransform& view, const SensorScan& scan, const QPo
     return {};
 }
 
+QString readoutOf(const ViewTransform& view, const SensorScan& scan, const Shape& shape, const QPointF& pixels) {
+    switch (scan.kind) {
+        case Kind::laser:
+        case Kind::sonar:
+            return echoReadout(view, scan, pixels);
+        case Kind::infrared:
+            return glowReadout(view, scan, pixels);
+        case Kind::bumpers:
+            return {};
+        case Kind::lineCamera:
+            return rowReadout(view, scan, shape, pixels);
+    }
+    return {};
+}
+
 }  // namespace
+
+void drawPixelStrip(const FieldCanvas& canvas, const QPolygonF& line, ColourClass colourClass) {
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), stripWidth + 2, Qt::SolidLine, Qt::FlatCap),
+                            QPen(colourOf(colourClass), stripWidth, Qt::SolidLine, Qt::FlatCap)}) {
+        canvas.painter.setPen(pen);
+        canvas.painter.drawPolyline(line);
+    }
+}
 
 std::vector<RobotScans> shownScans(const FieldFrame& frame, const FieldLayers& layers, const FieldFocus& focus) {
     std::vector<RobotScans> shown;
-    constexpr std::array scanLayers{FieldLayer::laser, FieldLayer::sonar, FieldLayer::infrared, FieldLayer::bumpers};
+    constexpr std::array scanLayers{FieldLayer::laser, FieldLayer::sonar, FieldLayer::infrared, FieldLayer::bumpers,
+                                    FieldLayer::lineCameras};
     if (std::ranges::none_of(scanLayers, [&](FieldLayer layer) { return layers.has(layer); })) return shown;
     const std::size_t robots = frame.state.robots.size();
     for (std::size_t robot = 0; robot < robots; ++robot) {
@@ -260,6 +380,9 @@ void drawScanMarks(const FieldCanvas& canvas, const FieldFrame& frame, const Fie
     drawEachScan(focus, scans, Kind::bumpers, [&](std::size_t robot, const SensorScan& scan, bool) {
         drawSegments(canvas, scan, frame.scene().shapeOf(robot), frame.poseOf(robot));
     });
+    drawEachScan(focus, scans, Kind::lineCamera, [&](std::size_t robot, const SensorScan& scan, bool) {
+        drawRow(canvas, scan, frame.scene().shapeOf(robot));
+    });
 }
 
 QString scanReadout(const ViewTransform& view, const FieldFrame& frame, const std::vector<RobotScans>& scans,
@@ -267,9 +390,7 @@ QString scanReadout(const ViewTransform& view, const FieldFrame& frame, const st
     QStringList lines;
     for (const RobotScans& of : scans)
         for (const SensorScan& scan : of.scans) {
-            const QString said = scan.kind == Kind::infrared  ? glowReadout(view, scan, pixels)
-                                 : scan.kind == Kind::bumpers ? QString()
-                                                              : echoReadout(view, scan, pixels);
+            const QString said = readoutOf(view, scan, frame.scene().shapeOf(of.robot), pixels);
             if (said.isEmpty()) continue;
             lines += QObject::tr("%1 of %2: %3, %4 s ago")
                          .arg(qtText(scan.known.sensor->name()), qtText(frame.nameOf(of.robot)), said,

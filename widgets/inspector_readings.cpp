@@ -142,6 +142,11 @@ InspectorRow rowsOf(const RowWriter& write, const SensorScan& scan, const RowIsO
         const auto contacts = scan.known.records<BumperContact>();
         for (std::size_t i = 0; i < shown; ++i)
             add(i, contacts[i].bearing, {QString::number(contacts[i].pressed), QString::number(contacts[i].touches)});
+    } else if (scan.kind == SensorScan::Kind::lineCamera) {
+        head({QObject::tr("class")});
+        const auto pixels = scan.known.records<ColourPixel>();
+        for (std::size_t i = 0; i < shown; ++i)
+            add(i, pixels[i].bearing, {qtText(std::string(wordOf(pixels[i].colourClass)))});
     } else {
         head({"m"});
         const auto echoes = scan.known.records<RangeEcho>();

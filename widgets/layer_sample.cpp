@@ -1,5 +1,7 @@
 #include "widgets/layer_sample.h"
 
+#include <array>
+
 #include "widgets/field_drawing.h"
 
 namespace mrose {
@@ -106,6 +108,17 @@ QRectF circleIn(const QRectF& box, double share = 1) {
     return {eye - QPointF(radius, radius), 2 * QSizeF(radius, radius)};
 }
 
+/// A row of pixels.
+void drawRowSample(const FieldCanvas& canvas, const QRectF& box) {
+    constexpr std::array row{ColourClass::floor, ColourClass::ball, ColourClass::floor, ColourClass::yellowGoal,
+                             ColourClass::wall};
+    const double width = (box.width() - 2 * inset) / static_cast<double>(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const QPointF from(box.left() + inset + static_cast<double>(i) * width, box.center().y());
+        drawPixelStrip(canvas, QVector<QPointF>{from, from + QPointF(width, 0)}, row[i]);
+    }
+}
+
 /// A field of view from the left end of the box on.
 void drawSector(QPainter& painter, const QRectF& box, double share = 1) {
     painter.drawPie(circleIn(box, share), -sampleHalf, 2 * sampleHalf);
@@ -166,6 +179,9 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
             break;
         case FieldLayer::bumpers:
             drawBumperSample(canvas, box);
+            break;
+        case FieldLayer::lineCameras:
+            drawRowSample(canvas, box);
             break;
         case FieldLayer::radio:
             drawRadioSample(canvas, box, colour);

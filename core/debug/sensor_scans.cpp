@@ -8,12 +8,14 @@ namespace mrose {
 namespace {
 
 bool isScan(const RecordType& type) {
-    return type == recordType<RangeEcho>() || type == recordType<InfraredEcho>() || type == recordType<BumperContact>();
+    return type == recordType<RangeEcho>() || type == recordType<InfraredEcho>() ||
+           type == recordType<BumperContact>() || type == recordType<ColourPixel>();
 }
 
 SensorScan::Kind kindOf(const RecordType& type, const std::vector<SensorElement>& elements) {
     if (type == recordType<InfraredEcho>()) return SensorScan::Kind::infrared;
     if (type == recordType<BumperContact>()) return SensorScan::Kind::bumpers;
+    if (type == recordType<ColourPixel>()) return SensorScan::Kind::lineCamera;
     return elements.empty() || elements.front().halfWidth == 0 ? SensorScan::Kind::laser : SensorScan::Kind::sonar;
 }
 

@@ -9,7 +9,7 @@ namespace mrose {
 
 /// What a sensor whose elements measure their robot's surroundings gave last.
 struct SensorScan {
-    enum class Kind { laser, sonar, infrared, bumpers };
+    enum class Kind { laser, sonar, infrared, bumpers, lineCamera };
 
     Kind kind = Kind::laser;
     NewestReading known;  ///< a record for each element

@@ -85,7 +85,7 @@ std::vector<MemoryEntry> LineCamera::summary(const Observation& all, const Readi
         ColourBlob largest;
         for (const ColourBlob& blob : blobs)
             if (blob.colourClass == of && blob.pixels > largest.pixels) largest = blob;
-        const std::string name(colourClassWords[static_cast<std::size_t>(of)]);
+        const std::string name(wordOf(of));
         entries.push_back({name + "_bearing", largest.bearing, "rad"});
         entries.push_back({name + "_pixels", static_cast<double>(largest.pixels)});
     }

@@ -30,4 +30,8 @@ constexpr std::array<std::string_view, 13> colourClassWords{"nothing",     "floo
                                                             "robot",       "team_mate", "opponent"};
 static_assert(static_cast<std::size_t>(ColourClass::opponent) + 1 == colourClassWords.size());
 
+constexpr std::string_view wordOf(ColourClass colourClass) {
+    return colourClassWords[static_cast<std::size_t>(colourClass)];
+}
+
 }  // namespace mrose

@@ -9,6 +9,7 @@
 #include "sensing/bumpers.h"
 #include "sensing/infrared_ring.h"
 #include "sensing/laser.h"
+#include "sensing/line_camera.h"
 #include "sensing/ranging.h"
 #include "sensing/sonar_ring.h"
 #include "widgets/field_drawing.h"
@@ -155,6 +156,33 @@ TEST_F(FieldScansTest, PressedBumpersStandOut) {
     ASSERT_EQ(rows.children.size(), 3u);
     EXPECT_EQ(rows.children[1].cells[1], "1");
     EXPECT_EQ(rows.children[2].cells[1], "0");
+}
+
+TEST_F(FieldScansTest, LineCamerasRowIsAStripOfWhatItSaw) {
+    LineCamera::Options options;
+    options.width = 41;
+    options.view = 1;
+    options.range = 5;
+    show(std::make_shared<const LineCamera>(SensorTraits{"row", 0}, options), 20);
+    ASSERT_EQ(scansOf(frame, 0).size(), 1u);
+    const double x = scansOf(frame, 0)[0].eye.x, strip = 0.3 + 11 / view.scale();
+    const auto seen = [&](double bearing) {
+        const Point at{x + strip * std::cos(bearing), strip * std::sin(bearing)};
+        return readout(FieldLayer::lineCameras, at);
+    };
+    // The wall is 3 m wide: its corners lie so far to either side.
+    const double corner = std::atan2(1.5, wallAt - x);
+    ASSERT_LT(corner, 0.48);
+    EXPECT_TRUE(seen(0).startsWith("row of 1: obstacle, ")) << seen(0).toStdString();
+    EXPECT_TRUE(seen(corner - 0.05).startsWith("row of 1: obstacle, ")) << seen(corner - 0.05).toStdString();
+    EXPECT_TRUE(seen(corner + 0.05).startsWith("row of 1: nothing, ")) << seen(corner + 0.05).toStdString();
+    EXPECT_EQ(seen(0.7), "") << "beyond its view";
+    EXPECT_GT(changed(FieldLayer::lineCameras, {x + strip, 0}, 0.05), 20);
+    EXPECT_EQ(changed(FieldLayer::lineCameras, {x - strip, 0}, 0.1), 0);
+    const InspectorRow rows = rowOf("row");
+    ASSERT_EQ(rows.children.size(), 42u);
+    EXPECT_EQ(rows.children[21].cells, (QStringList{"0.0", "obstacle"}));
+    EXPECT_EQ(rows.children[1].cells[1], "nothing");
 }
 
 }  // namespace
