@@ -7,13 +7,16 @@
 
 #include "behaviour/chase_ball.h"
 #include "behaviour/command_player.h"
+#include "behaviour/dynamic_window.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/wander.h"
 #include "io/toml_text.h"
+#include "motion/kinematic.h"
 #include "plugin/load_plugin.h"
 #include "scenario/ball_contact.h"
 #include "scenario/description_reader.h"
 #include "scenario/log_excerpt.h"
+#include "scenario/obstacle_sensors.h"
 #include "sensing/sensor.h"
 
 namespace mrose {
@@ -24,6 +27,7 @@ constexpr NumberRange rotations{0, 3600};
 constexpr NumberRange runTime{0, 1e6};
 constexpr NumberRange deadTimes{0, 2};
 constexpr std::size_t mostTargets = 1000;
+constexpr NumberRange weights{0, 100};
 constexpr double leastHorn = 0.03;  // m, before the front
 
 /// Stands in for a plug-in that is not to be loaded: it decides nothing.
@@ -168,6 +172,40 @@ ControllerSetting wander(const Context& context) {
     return {std::make_shared<Wander>(options)};
 }
 
+ControllerSetting dynamicWindow(const Context& context) {
+    DynamicWindow::Options options;
+    TomlTable& table = context.table;
+    const RobotDescription& robot = context.driven.robot;
+    options.sensors = obstacleSensors(robot.type);
+    if (options.sensors.empty() || options.sensors[0].kind == ObstacleSensor::Kind::bumpers)
+        table.reject(
+            "kind",
+            "the robot has no laser, no sonar and no infrared; expected a [[sensor]] of such a kind in its robot file");
+    options.waypoints = points(table, "waypoints_m", 1, metresFar, false);
+    options.loop = table.booleanOr("loop", options.loop);
+    options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.05, 10});
+    options.speed = table.numberOr("speed_mps", options.speed, {0.01, speeds.most});
+    options.rotation = angleOr(table, "rotation_degps", options.rotation, {1, rotations.most});
+    KinematicParameters drive;
+    if (const auto* const kinematic = dynamic_cast<const KinematicModel*>(robot.model.get()))
+        drive = kinematic->parameters();
+    if (drive.v.limit > 0) options.speed = std::min(options.speed, drive.v.limit);
+    if (drive.w.limit > 0) options.rotation = std::min(options.rotation, drive.w.limit);
+    if (drive.v.acceleration > 0) options.acceleration = drive.v.acceleration;
+    if (drive.w.acceleration > 0) options.turningAcceleration = drive.w.acceleration;
+    options.acceleration = table.numberOr("acceleration_mps2", options.acceleration, {0.01, 100});
+    options.turningAcceleration = angleOr(table, "acceleration_degps2", options.turningAcceleration, {1, 36000});
+    options.margin = table.numberOr("margin_m", options.margin, {0.03, 5});
+    options.lookAhead = table.numberOr("look_ahead_m", options.lookAhead, {0.2, 20});
+    options.memory = durationOr(table, "memory_s", options.memory, {0, 60});
+    options.headingWeight = table.numberOr("heading_weight", options.headingWeight, weights);
+    options.clearanceWeight = table.numberOr("clearance_weight", options.clearanceWeight, weights);
+    options.progressWeight = table.numberOr("progress_weight", options.progressWeight, weights);
+    options.radius = robot.type.shape->reach;
+    options.deadTime = table.numberOr("dead_time_s", robot.deadTime, deadTimes);
+    return {std::make_shared<DynamicWindow>(std::move(options))};
+}
+
 /// The network files that a plug-in's table `mappings` names, as part of its options.
 std::string mappingsText(const Context& context) {
     TomlTable& table = context.table;
@@ -217,9 +255,13 @@ struct Kind {
     std::string_view name;
     ControllerSetting (*read)(const Context&);
 };
-constexpr std::array kinds{
-    Kind{"velocity_script", velocityScript}, Kind{"log_player", logPlayer}, Kind{"go_to_pose", goToPose},
-    Kind{"chase_ball", chaseBall},           Kind{"wander", wander},        Kind{"plugin", plugin}};
+constexpr std::array kinds{Kind{"velocity_script", velocityScript},
+                           Kind{"log_player", logPlayer},
+                           Kind{"go_to_pose", goToPose},
+                           Kind{"chase_ball", chaseBall},
+                           Kind{"wander", wander},
+                           Kind{"dynamic_window", dynamicWindow},
+                           Kind{"plugin", plugin}};
 
 }  // namespace
 

@@ -24,6 +24,8 @@ public:
     };
     InfraredRing(const SensorTraits& traits, const Options& options);
 
+    const Options& options() const { return options_; }
+
     std::vector<ReadingKind> gives() const override { return {{name(), &recordType<InfraredEcho>()}}; }
     std::vector<SensorElement> elements() const override;
     std::vector<MemoryEntry> summary(const Observation& all, const Reading& reading) const override;

@@ -5,14 +5,38 @@
 
 #include "behaviour/chase_ball.h"
 #include "behaviour/command_player.h"
+#include "behaviour/dynamic_window.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/small_field.h"
 #include "behaviour/wander.h"
+#include "scenario/obstacle_sensors.h"
+#include "sensing/bumpers.h"
+#include "sensing/laser.h"
+#include "sensing/sonar_ring.h"
 #include "simulation/observe.h"
 #include "world/state_bytes.h"
 
 namespace mrose {
 namespace {
+
+RobotType sensingRobot() {
+    RobotType type = guideRobot(cameras());
+    type.manipulators.push_back({.name = "kicker", .position = {0.17, 0}, .width = 0.25});
+    Laser::Options laser;
+    laser.first = -1.5;
+    laser.step = 0.05;
+    laser.beams = 61;
+    laser.errors.range = 4;
+    SonarRing::Options sonars;
+    for (int i = 0; i < 8; ++i) sonars.sonars.push_back({0, 0, 0.785 * i});
+    sonars.cone = 0.5;
+    sonars.errors.range = 3;
+    type.sensors = {std::make_shared<const Laser>(SensorTraits{"laser", 100'000'000}, laser),
+                    std::make_shared<const SonarRing>(SensorTraits{"sonar", 200'000'000}, sonars),
+                    std::make_shared<const Bumpers>(SensorTraits{"bumpers", 0},
+                                                    std::vector<Bumpers::Segment>{{-1, 2}, {1, 4.283}})};
+    return type;
+}
 
 std::vector<std::shared_ptr<const Controller>> builtIn() {
     std::vector<StampedCommand> script;
@@ -22,16 +46,17 @@ std::vector<std::shared_ptr<const Controller>> builtIn() {
                 GoToPose::Options{.targets = {{1, 1, 0}, {5, 3, 2}}, .loop = true, .backwards = true}),
             std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {6, 2}}),
             std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {0, 2}}),
-            std::make_shared<const Wander>(Wander::Options{})};
+            std::make_shared<const Wander>(Wander::Options{}),
+            std::make_shared<const DynamicWindow>(DynamicWindow::Options{
+                .waypoints = {{1, 3}, {5, 1}}, .loop = true, .sensors = obstacleSensors(sensingRobot())})};
 }
 
 Scenario allRobots() {
     SmallWorld world(walledField(6, 4));
-    RobotType type = guideRobot(cameras());
-    type.manipulators.push_back({.name = "kicker", .position = {0.17, 0}, .width = 0.25});
+    const RobotType type = sensingRobot();
     const auto controllers = builtIn();
     for (std::size_t i = 0; i < controllers.size(); ++i)
-        world.robot(type, {0.7 + 1.1 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
+        world.robot(type, {0.7 + 0.9 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
                     controllers[i], noisyDrive(), static_cast<std::int64_t>(i));
     world.object(ballType(), {3, 2, 0}, {0.4, 0.1, 0});
     return world.scenario();

@@ -20,14 +20,18 @@ ProgramResult runShell(const std::vector<std::string>& environment, const std::v
     return RunningProgram(all).finish();
 }
 
-TEST(ShippedScripts, TourThroughTheSoccerGameHolds) {
+void expectTourHolds(const std::string& name, const char* says) {
     const ProgramResult result = RunningProgram({windowProgram(), "--offscreen", "--script",
-                                                 (sourceFolder() / "resources/scripts/soccer_tour.lua").string()})
+                                                 (sourceFolder() / "resources/scripts" / name).string()})
                                      .finish();
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "");
-    EXPECT_NE(result.out.find(" decided at "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(says), std::string::npos) << result.out;
 }
+
+TEST(ShippedScripts, TourThroughTheSoccerGameHolds) { expectTourHolds("soccer_tour.lua", " decided at "); }
+
+TEST(ShippedScripts, TourThroughTheCorridorHolds) { expectTourHolds("corridor_tour.lua", "it arrived at "); }
 
 TEST(ShippedScripts, PicturesOfTheReadmeCanBeMade) {
     const TemporaryFolder folder;

@@ -115,7 +115,7 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"dance\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: is \"dance\"; expected one of \"velocity_script\", "
          "\"log_player\", "
-         "\"go_to_pose\", \"chase_ball\", \"wander\", \"plugin\""},
+         "\"go_to_pose\", \"chase_ball\", \"wander\", \"dynamic_window\", \"plugin\""},
         {"{ kind = \"wander\", pace = 1 }",
          "s.toml:22:40: robot[\"two\"].controller.pace: is not a known key; expected one of change_every_s, "
          "dead_time_s, kind, rotation_degps, speed_mps"},
@@ -140,6 +140,49 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"plugin\" }", "s.toml:22:14: robot[\"two\"].controller.library: is missing"},
     };
     for (const auto& [controller, message] : cases) EXPECT_EQ(withController(controller), message);
+}
+
+TEST(ScenarioErrors, DynamicWindowNeedsASensorThatFindsObstacles) {
+    const auto refused = [](const std::string& sensor, const std::string& options) {
+        auto texts =
+            changedWorld("s.toml", "{ kind = \"wander\", speed_mps = 0.2, rotation_degps = 45, change_every_s = 1 }",
+                         "{ kind = \"dynamic_window\", waypoints_m = [[1, 2]]" + options + " }");
+        texts["learned.toml"] += sensor;
+        const auto loaded = loadFrom(texts);
+        return loaded ? std::string() : loaded.error().message();
+    };
+    const std::string bumpers = "\n[[sensor]]\nkind = \"bumpers\"\nname = \"skin\"\nring = { count = 4 }\n";
+    const std::string none =
+        "s.toml:22:23: robot[\"two\"].controller.kind: the robot has no laser, no sonar and no infrared; expected a "
+        "[[sensor]] of such a kind in its robot file";
+    EXPECT_EQ(refused("", ""), none);
+    EXPECT_EQ(refused(bumpers, ""), none);
+    const std::string sensors[] = {
+        "\n[[sensor]]\nkind = \"laser\"\nname = \"l\"\nbeams = 1\nstart_deg = 0\nend_deg = 0\n",
+        "\n[[sensor]]\nkind = \"sonar\"\nname = \"s\"\ncone_deg = 30\nring = { count = 4, radius_m = 0.1 }\n",
+        "\n[[sensor]]\nkind = \"infrared\"\nname = \"i\"\nring = { count = 4, radius_m = 0.1 }\nrange_m = "
+        "1\nreference_m = 0.1\n"};
+    for (const std::string& sensor : sensors) EXPECT_EQ(refused(bumpers + sensor, ""), "");
+    const std::string& laser = sensors[0];
+    const std::pair<const char*, const char*> cases[] = {
+        {", pace = 1",
+         "pace: is not a known key; expected one of acceleration_degps2, acceleration_mps2, clearance_weight, "
+         "dead_time_s, heading_weight, kind, look_ahead_m, loop, margin_m, memory_s, progress_weight, "
+         "rotation_degps, speed_mps, tolerance_m, waypoints_m"},
+        {", speed_mps = 0", "speed_mps: is 0.0; expected 0.01 to 20.0"},
+        {", acceleration_mps2 = 0", "acceleration_mps2: is 0.0; expected 0.01 to 100.0"},
+        {", acceleration_degps2 = 0", "acceleration_degps2: is 0.0; expected 1.0 to 36000.0"},
+        {", margin_m = 9", "margin_m: is 9.0; expected 0.03 to 5.0"},
+        {", look_ahead_m = 0", "look_ahead_m: is 0.0; expected 0.2 to 20.0"},
+        {", memory_s = 61", "memory_s: is 61.0; expected 0.0 to 60.0"},
+        {", heading_weight = -1", "heading_weight: is -1.0; expected 0.0 to 100.0"},
+        {", tolerance_m = 0", "tolerance_m: is 0.0; expected 0.05 to 10.0"},
+    };
+    for (const auto& [options, message] : cases) {
+        const std::string said = refused(laser, options);
+        EXPECT_NE(said.find(std::string("robot[\"two\"].controller.") + message), std::string::npos) << said;
+    }
+    EXPECT_NE(refused(laser, ", loop = 1").find("controller.loop: "), std::string::npos);
 }
 
 TEST(ScenarioErrors, BodiesMustNotOverlapAtTheStart) {

@@ -164,7 +164,7 @@ TEST(SensorPreset, ThoseThatShipAreSoundAndFitTheirRobots) {
         EXPECT_TRUE(loaded) << name << ": " << loaded.error().message();
         ++count;
     }
-    EXPECT_EQ(count, 6u);
+    EXPECT_EQ(count, 7u);
 }
 
 }  // namespace

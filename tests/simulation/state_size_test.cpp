@@ -20,7 +20,7 @@ std::size_t heldBy(const std::vector<T>& values) {
 std::size_t heldBy(const WorldState& s) {
     return sizeof s + heldBy(s.robots) + heldBy(s.objects) + heldBy(s.contacts) + heldBy(s.kicks) + heldBy(s.messages) +
            heldBy(s.goals) + heldBy(s.commands) + heldBy(s.motion) + heldBy(s.memory) + heldBy(s.sensing) +
-           heldBy(s.past);
+           heldBy(s.past) + heldBy(s.touches);
 }
 
 /// Eight robots and a ball in a field in which they keep touching.

@@ -1,0 +1,11 @@
+-- The README's picture of a B21 among people: make_window.sh.
+open("b21_corridor.toml")
+select("b21")
+seek(9.6)
+show_branches(false)
+show_breakpoints(false)
+show_command(false)
+show_plots(false)
+show_inspector(true)
+layer_legend(true)
+screenshot("corridor.png")
