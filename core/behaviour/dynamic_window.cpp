@@ -13,6 +13,7 @@
 #include "behaviour/own_belief.h"
 #include "behaviour/steering.h"
 #include "control/sensor_records.h"
+#include "geometry/pose.h"
 
 namespace mrose {
 namespace {
