@@ -47,7 +47,7 @@ private:
     Point destination(const Observation& observation, const Surroundings& around, Memory& memory) const;
     Point lane(const Surroundings& around, double wanted, double look) const;
     Choice best(const Surroundings& around, const Point& goal) const;
-    Choice valued(const Surroundings& around, const Point& towards, double most, const Command& command) const;
+    Choice valued(const Surroundings& around, const Point& towards, double look, const Command& command) const;
     void markArc(const Surroundings& around, const Choice& choice, Decision& decision) const;
     void noteProgress(const Observation& observation, const Surroundings& around, Memory& memory) const;
     bool noteBump(const Observation& observation, Memory& memory) const;
