@@ -219,10 +219,8 @@ void drawRow(const FieldCanvas& canvas, const SensorScan& scan, const Shape& sha
     const double radius = canvas.pixels(shape.reach) + stripGap;
     visitRuns(row, [&](std::size_t first, std::size_t count) {
         const double from = row[first].bearing - halfPixel(row, first);
-        const double to = from +
-                          std::remainder(row[first + count - 1].bearing - row[first].bearing, 2 * std::numbers::pi) +
-                          halfPixel(row, first) + halfPixel(row, first + count - 1);
-        const double width = to - from + (to < from ? 2 * std::numbers::pi : 0);
+        double width = 0;  // up to a whole turn
+        for (std::size_t i = first; i < first + count; ++i) width += 2 * halfPixel(row, i);
         const int steps = std::max(1, static_cast<int>(std::ceil(width / 0.05)));
         QPolygonF line;
         for (int k = 0; k <= steps; ++k)

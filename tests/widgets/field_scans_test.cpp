@@ -185,5 +185,19 @@ TEST_F(FieldScansTest, LineCamerasRowIsAStripOfWhatItSaw) {
     EXPECT_EQ(rows.children[1].cells[1], "nothing");
 }
 
+TEST_F(FieldScansTest, RowAllRoundOfOneClassIsAWholeRing) {
+    LineCamera::Options options;
+    options.width = 36;
+    options.view = 2 * std::numbers::pi;
+    options.spacing = BeamFan::Spacing::angles;
+    options.range = 0.5;
+    show(std::make_shared<const LineCamera>(SensorTraits{"row", 0}, options), 20);
+    const double x = scansOf(frame, 0).at(0).eye.x, strip = 0.3 + 11 / view.scale();
+    for (int i = 0; i < 8; ++i) {
+        const Point along = towards(i * std::numbers::pi / 4 + 0.1);
+        EXPECT_GT(changed(FieldLayer::lineCameras, {x + strip * along.x, strip * along.y}, 0.04), 5) << i;
+    }
+}
+
 }  // namespace
 }  // namespace mrose
