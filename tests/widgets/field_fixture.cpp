@@ -3,6 +3,8 @@
 #include <QPainter>
 
 #include "support/scenes.h"
+#include "widgets/field_legend.h"
+#include "widgets/field_painter.h"
 
 namespace mrose {
 namespace {
@@ -50,6 +52,18 @@ FieldFrame frameOfDiscs(const std::vector<Pose>& robots, const Pose& ball) {
     frame.state = frame.scenario->initialState();
     frame.insights.resize(robots.size());
     return frame;
+}
+
+QImage paintedFrame(const FieldFrame& frame, const ViewTransform& view, const FieldLayers& layers,
+                    const FieldFocus& focus) {
+    QImage image(800, 640, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    LabelPlacer labels;
+    FieldLegend legend;
+    const Theme theme = Theme::light();
+    FieldPainter(painter, view, theme, layers).frame(frame, focus, labels, legend);
+    return image;
 }
 
 FieldLayers only(std::initializer_list<FieldLayer> layers) {

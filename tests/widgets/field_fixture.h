@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "debug/field_frame.h"
+#include "widgets/field_drawing.h"
 #include "widgets/field_layers.h"
 
 namespace mrose {
@@ -17,6 +18,10 @@ inline const Colour bodyColour{250, 0, 250}, ballColour{0, 250, 250};
 FieldFrame frameOfDiscs(const std::vector<Pose>& robots, const Pose& ball = {4.5, 3.5, 0});
 
 FieldLayers only(std::initializer_list<FieldLayer> layers);
+
+/// The frame as it is painted without a view, 800 x 640 pixels on white.
+QImage paintedFrame(const FieldFrame& frame, const ViewTransform& view, const FieldLayers& layers,
+                    const FieldFocus& focus = {});
 
 /// The widget as it paints itself on a screen of so many device pixels a pixel.
 QImage rendered(QWidget& widget, double ratio = 1);

@@ -1,13 +1,10 @@
 // Messages between robots on the field and in the inspector.
 #include <QImage>
-#include <QPainter>
 
 #include <gtest/gtest.h>
 
 #include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
-#include "widgets/field_legend.h"
-#include "widgets/field_painter.h"
 #include "widgets/inspector_rows.h"
 
 namespace mrose {
@@ -45,14 +42,7 @@ protected:
         return count;
     }
     QImage painted(std::initializer_list<FieldLayer> layers, const FieldFocus& focus) const {
-        QImage image(800, 640, QImage::Format_RGB32);
-        image.fill(Qt::white);
-        QPainter painter(&image);
-        LabelPlacer labels;
-        FieldLegend legend;
-        const Theme theme = Theme::light();
-        FieldPainter(painter, view, theme, only(layers)).frame(frame, focus, labels, legend);
-        return image;
+        return paintedFrame(frame, view, only(layers), focus);
     }
 
     ViewTransform view;

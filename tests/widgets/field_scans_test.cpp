@@ -1,6 +1,5 @@
 // What sensors of the surroundings gave, on the field and in the inspector.
 #include <QImage>
-#include <QPainter>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -14,8 +13,6 @@
 #include "sensing/sonar_ring.h"
 #include "widgets/field_drawing.h"
 #include "widgets/field_fixture.h"
-#include "widgets/field_legend.h"
-#include "widgets/field_painter.h"
 #include "widgets/inspector_rows.h"
 
 namespace mrose {
@@ -43,16 +40,7 @@ protected:
         while (travel.tick() < tick) ASSERT_TRUE(travel.forward());
         frame = frameOf(travel);
     }
-    QImage painted(std::initializer_list<FieldLayer> layers) const {
-        QImage image(800, 640, QImage::Format_RGB32);
-        image.fill(Qt::white);
-        QPainter painter(&image);
-        LabelPlacer labels;
-        FieldLegend legend;
-        const Theme theme = Theme::light();
-        FieldPainter(painter, view, theme, only(layers)).frame(frame, {}, labels, legend);
-        return image;
-    }
+    QImage painted(std::initializer_list<FieldLayer> layers) const { return paintedFrame(frame, view, only(layers)); }
     /// Pixels that a layer changes within a box about a place, m.
     int changed(FieldLayer layer, const Point& at, double half) const {
         const QRectF box =
