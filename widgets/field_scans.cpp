@@ -109,12 +109,18 @@ void drawCones(const FieldCanvas& canvas, const SensorScan& scan, const QColor& 
     }
 }
 
+/// m, where a surface that faces an infrared element would send back so much of its light.
+double glowReach(const SensorElement& element, double intensity) {
+    return intensity > 0 ? std::min(element.range, element.reference / std::sqrt(intensity)) : element.range;
+}
+
 void drawGlow(const FieldCanvas& canvas, const SensorScan& scan, const QColor& colour) {
     const auto echoes = scan.known.records<InfraredEcho>();
     canvas.painter.setPen(Qt::NoPen);
     for (std::size_t i = 0; i < echoes.size(); ++i) {
         const SensorElement& element = scan.elements[i];
-        const Sector sector(canvas, inWorld(scan, element), element.halfWidth, element.range);
+        const double reach = glowReach(element, echoes[i].intensity);
+        const Sector sector(canvas, inWorld(scan, element), element.halfWidth, reach);
         // Light falls off with the square of the distance.
         const double strength = std::sqrt(std::min(1.0, echoes[i].intensity));
         canvas.painter.setBrush(withAlpha(colour, 18 + static_cast<int>(200 * strength)));
@@ -284,14 +290,34 @@ QString glowReadout(const ViewTransform& view, const SensorScan& scan, const QPo
         const Pose element = inWorld(scan, scan.elements[i]);
         const Point to = view.toMetres(pixels) - position(element);
         const double turn = std::remainder(direction(to) - element.heading, 2 * std::numbers::pi);
-        if (length(to) > scan.elements[i].range || std::abs(turn) > scan.elements[i].halfWidth) continue;
+        if (length(to) > glowReach(scan.elements[i], echoes[i].intensity) ||
+            std::abs(turn) > scan.elements[i].halfWidth)
+            continue;
         return QObject::tr("intensity %1 at %2\u00b0")
             .arg(fixedText(echoes[i].intensity, 2), fixedText(echoes[i].bearing * radianInDegrees, 1));
     }
     return {};
 }
 
-QString readoutOf(const ViewTransform& view, const SensorScan& scan, const Shape& shape, const QPointF& pixels) {
+/// Of the segment that is drawn near to a place.
+QString segmentReadout(const ViewTransform& view, const SensorScan& scan, const Shape& shape, const Pose& pose,
+                       const QPointF& pixels) {
+    const Point to = view.toMetres(pixels) - position(pose);
+    const double turn = direction(to) - pose.heading, rim = rimOf(shape, towards(turn));
+    if (std::abs((length(to) - rim) * view.scale() - bumperGap) > scanReach) return {};
+    const auto contacts = scan.known.records<BumperContact>();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const SensorElement& element = scan.elements[i];
+        if (std::abs(std::remainder(turn - element.mount.heading, 2 * std::numbers::pi)) > element.halfWidth) continue;
+        const QString at = fixedText(contacts[i].bearing * radianInDegrees, 1);
+        return contacts[i].pressed == 0 ? QObject::tr("free at %1\u00b0").arg(at)
+                                        : QObject::tr("pressed at %1\u00b0").arg(at);
+    }
+    return {};
+}
+
+QString readoutOf(const ViewTransform& view, const SensorScan& scan, const Shape& shape, const Pose& pose,
+                  const QPointF& pixels) {
     switch (scan.kind) {
         case Kind::laser:
         case Kind::sonar:
@@ -299,7 +325,7 @@ QString readoutOf(const ViewTransform& view, const SensorScan& scan, const Shape
         case Kind::infrared:
             return glowReadout(view, scan, pixels);
         case Kind::bumpers:
-            return {};
+            return segmentReadout(view, scan, shape, pose, pixels);
         case Kind::lineCamera:
             return rowReadout(view, scan, shape, pixels);
     }
@@ -371,7 +397,7 @@ void drawScanMarks(const FieldCanvas& canvas, const FieldFrame& frame, const Fie
                    const std::vector<RobotScans>& scans) {
     canvas.painter.setRenderHint(QPainter::Antialiasing, false);
     drawEachScan(focus, scans, Kind::laser, [&](std::size_t robot, const SensorScan& scan, bool strong) {
-        if (strong) drawDots(canvas, scan, setOff(robotColour(frame.scene(), robot)), 5);
+        if (strong) drawDots(canvas, scan, withAlpha(setOff(robotColour(frame.scene(), robot)), 70), 5);
         drawDots(canvas, scan, robotColour(frame.scene(), robot), 3);
     });
     canvas.painter.setRenderHint(QPainter::Antialiasing);
@@ -388,7 +414,7 @@ QString scanReadout(const ViewTransform& view, const FieldFrame& frame, const st
     QStringList lines;
     for (const RobotScans& of : scans)
         for (const SensorScan& scan : of.scans) {
-            const QString said = readoutOf(view, scan, frame.scene().shapeOf(of.robot), pixels);
+            const QString said = readoutOf(view, scan, frame.scene().shapeOf(of.robot), frame.poseOf(of.robot), pixels);
             if (said.isEmpty()) continue;
             lines += QObject::tr("%1 of %2: %3, %4 s ago")
                          .arg(qtText(scan.known.sensor->name()), qtText(frame.nameOf(of.robot)), said,

@@ -66,7 +66,9 @@ InspectorRow seenRow(const RowWriter& write, std::uint32_t other) {
     InspectorRow row = asError(write.value(quantityNamed("seen_error", Quantity::Of::seenPair), other));
     row.id = row.name = qtText(write.frame.nameOf(other));
     if (row.quiet) {
-        row.value = QObject::tr("not in sight");
+        const bool robot = other < write.frame.scene().robots.size();
+        const bool asked = write.at.scenario->attention(write.body).reads(robot ? robotsReading : objectsReading);
+        row.value = asked ? QObject::tr("not in sight") : QObject::tr("not asked");
         row.unit.clear();
     }
     for (const Quantity& quantity : quantities())

@@ -1,9 +1,9 @@
 #include <charconv>
-#include <chrono>
 #include <cstdio>
 
 #include "plugin_watch.h"
 #include "report/program_json.h"
+#include "run_count.h"
 #include "scenario_flags.h"
 #include "workflow/run_batch.h"
 
@@ -23,30 +23,6 @@ std::optional<BatchRequest::Seeds> parseSeeds(const std::string& text) {
         number(text.substr(0, dots), seeds.first) && number(last, seeds.last) && seeds.first <= seeds.last;
     return fits ? std::optional(seeds) : std::nullopt;
 }
-
-/// Shows how far the batch is.
-class BatchProgress {
-public:
-    explicit BatchProgress(bool quiet) : line_(quiet) {}
-
-    void show(std::int64_t done, std::int64_t all) {
-        const Clock::time_point now = Clock::now();
-        if (doneBefore_ < 0) doneBefore_ = done - 1;
-        if (now < next_) return;
-        next_ = now + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
-        const double each = seconds() / static_cast<double>(done - doneBefore_);
-        line_.show(std::to_string(done) + " of " + std::to_string(all) + " runs, " +
-                   durationText(each * static_cast<double>(all - done)) + " left");
-    }
-    void clear() { line_.clear(); }
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    ProgressLine line_;
-    Clock::time_point began_ = Clock::now(), next_ = began_ + std::chrono::seconds(1);
-    std::int64_t doneBefore_ = -1;
-};
 
 std::string decimals(double value) {
     char text[40];
@@ -83,7 +59,7 @@ int runRuns(BatchRequest request, const std::string& seeds, const CommonFlags& c
         std::fprintf(stderr, "mrose: --seeds: %s; expected one seed or a range: 1..20\n", seeds.c_str());
         return usage;
     }
-    std::optional<BatchProgress> progress;
+    std::optional<RunCount> progress;
     BatchWatch watch;
     watch.opened = [&](const OpenedScenario& opened) {
         reportNotes(opened.notes);

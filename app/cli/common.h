@@ -44,6 +44,7 @@ Subcommand addShapes(CLI::App& app, CommonFlags& flags);
 Subcommand addRun(CLI::App& app, CommonFlags& flags);
 Subcommand addReplay(CLI::App& app, CommonFlags& flags);
 Subcommand addBatch(CLI::App& app, CommonFlags& flags);
+Subcommand addExperiment(CLI::App& app, CommonFlags& flags);
 Subcommand addCompare(CLI::App& app, CommonFlags& flags);
 
 /// A subcommand with --quiet, --json and, below its options, examples.

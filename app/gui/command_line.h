@@ -17,6 +17,8 @@ struct CommandLine {
     std::optional<double> at;        ///< s
     std::optional<std::uint64_t> seed;
     std::uint32_t trial = 0;
+    std::string variant;
+    std::vector<std::string> overrides;
     std::string log;
     std::optional<double> start, every;  ///< s, of the log
     bool windows = false;

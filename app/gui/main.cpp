@@ -44,7 +44,13 @@ int report(const Error& error) {
 }
 
 OpenRequest requestOf(const CommandLine& line) {
-    return {line.file.empty() ? "soccer.toml" : line.file, line.trial, line.seed, line.log, line.pluginLimit};
+    return {line.file.empty() ? "soccer.toml" : line.file,
+            line.trial,
+            line.seed,
+            line.log,
+            line.pluginLimit,
+            line.variant,
+            line.overrides};
 }
 
 /// A log given as FILE or with --log is laid over its simulation; --run and recordings are opened as they are.

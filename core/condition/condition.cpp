@@ -18,10 +18,9 @@ struct Start {
     std::vector<RobotInsight> insights;
     Moment moment;
 
-    Start(const Scenario& scenario, const RealRobots* real)
-        : state(scenario.initialState()),
-          insights(state.robots.size()),
-          moment{&scenario, &state, nullptr, insights, real} {}
+    Start(const Scenario& scenario, const RealRobots* real, const DrawnValues* drawn)
+        : state(scenario.initialState()), insights(state.robots.size()), moment{&scenario, &state, nullptr,
+                                                                                insights,  real,   drawn} {}
     Start(const Start&) = delete;
     Start& operator=(const Start&) = delete;
 };
@@ -54,19 +53,32 @@ Expected<bool> Condition::holds(const Moment& at) {
     return expression_->unfit(*value, "true or false");
 }
 
-bool readsControl(std::string_view text, const Scenario& scenario) {
+namespace {
+
+/// Whether a text has the name of a quantity that needs insights, or of one of a body's parts from `firstPart` on.
+bool readsControlFrom(std::ptrdiff_t firstPart, std::string_view text, const Scenario& scenario) {
     std::vector<std::string> names;
     for (const Quantity& quantity : quantities())
         if (quantity.needs == Quantity::Needs::control) names.emplace_back(quantity.name);
-    for (std::size_t body = 0; body < scenario.scene().bodyCount(); ++body)
-        for (const std::string& part : partNames(scenario, body)) names.push_back(part);
+    for (std::size_t body = 0; body < scenario.scene().bodyCount(); ++body) {
+        const std::vector<std::string> parts = partNames(scenario, body);
+        names.insert(names.end(), parts.begin() + std::min(firstPart, std::ssize(parts)), parts.end());
+    }
     const std::vector<std::string_view> words = luaWords(text);
     return std::find_first_of(words.begin(), words.end(), names.begin(), names.end()) != words.end();
 }
 
+}  // namespace
+
+bool readsControl(std::string_view text, const Scenario& scenario) { return readsControlFrom(0, text, scenario); }
+
+bool readsInsights(std::string_view text, const Scenario& scenario) {
+    return readsControlFrom(static_cast<std::ptrdiff_t>(firstSensorPart), text, scenario);
+}
+
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario, const std::string& source,
-                                     const RealRobots* real) {
-    const Start start(scenario, real);
+                                     const RealRobots* real, const DrawnValues* drawn) {
+    const Start start(scenario, real, drawn);
     auto expression = compiled(text, start, source);
     if (!expression) return tl::unexpected(expression.error());
     Condition condition(std::move(*expression));
@@ -91,8 +103,8 @@ Expected<double> WorldValue::value(const Moment& at) {
 }
 
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario, const std::string& source,
-                                       const RealRobots* real) {
-    const Start start(scenario, real);
+                                       const RealRobots* real, const DrawnValues* drawn) {
+    const Start start(scenario, real, drawn);
     auto expression = compiled(text, start, source);
     if (!expression) return tl::unexpected(expression.error());
     WorldValue value(std::move(*expression));

@@ -29,7 +29,7 @@ public:
 
 private:
     friend Expected<Condition> compileCondition(std::string_view, const Scenario&, const std::string&,
-                                                const RealRobots*);
+                                                const RealRobots*, const DrawnValues*);
     explicit Condition(std::unique_ptr<WorldExpression> expression);
 
     std::unique_ptr<WorldExpression> expression_;
@@ -38,13 +38,17 @@ private:
 /// Whether a text names what controllers saw, decided or remember: then it needs Moment::insights, and controllers that
 /// were asked.
 bool readsControl(std::string_view text, const Scenario& scenario);
+/// The same of what controllers and motion models remember left out, which the state has: then it needs the insights.
+bool readsInsights(std::string_view text, const Scenario& scenario);
 
 /// Error: `source` in the file's place, line and column in the text, and what is wrong: no expression, a name or a body
 /// that the scenario does not have, or what holds() would say of the scenario's start. Functions defined in the text
 /// may have names of their own, so that unknown ones there may come to light only in holds(). Without `real` no real
-/// log is open, and asking for it is an error that says so.
+/// log is open, and asking for it is an error that says so; likewise without `drawn`, what was drawn for a trial: later
+/// ones must have the same names.
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario,
-                                     const std::string& source = "condition", const RealRobots* real = nullptr);
+                                     const std::string& source = "condition", const RealRobots* real = nullptr,
+                                     const DrawnValues* drawn = nullptr);
 
 /// A number of the world, as such an expression: "distance(robot[2], ball)". True is 1, false is 0.
 class WorldValue {
@@ -60,7 +64,7 @@ public:
 
 private:
     friend Expected<WorldValue> compileWorldValue(std::string_view, const Scenario&, const std::string&,
-                                                  const RealRobots*);
+                                                  const RealRobots*, const DrawnValues*);
     explicit WorldValue(std::unique_ptr<WorldExpression> expression);
 
     std::unique_ptr<WorldExpression> expression_;
@@ -68,6 +72,7 @@ private:
 
 /// Errors as of compileCondition().
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario,
-                                       const std::string& source = "expression", const RealRobots* real = nullptr);
+                                       const std::string& source = "expression", const RealRobots* real = nullptr,
+                                       const DrawnValues* drawn = nullptr);
 
 }  // namespace mrose

@@ -29,7 +29,8 @@ const WorldView& viewOf(lua_State* lua) { return **static_cast<const WorldView**
 int pushValue(lua_State* lua, const Quantity& quantity, const Subject& subject) {
     if (quantity.needs == Quantity::Needs::real && subject.at.real == nullptr)
         return luaL_error(lua, "'%s' needs a real log beside the run: none is open", quantity.name);
-    if (quantity.needs == Quantity::Needs::control && subject.at.insights.empty())
+    const bool remembered = &quantity == &partQuantity() && subject.other < firstSensorPart;
+    if (quantity.needs == Quantity::Needs::control && subject.at.insights.empty() && !remembered)
         return luaL_error(lua, "what robots saw, decided and remember is not known here: its name must be written out");
     if (const auto* const number = std::get_if<double (*)(const Subject&)>(&quantity.read)) {
         lua_pushnumber(lua, (*number)(subject));
@@ -115,7 +116,9 @@ int readQuantity(lua_State* lua) {
 /// The items that a body can have; nullopt: that is not known.
 std::optional<std::vector<std::string>> itemsOf(const Quantity& quantity, const Subject& subject) {
     if (&quantity == &partQuantity()) {
-        std::vector<std::string> names = knownEntries(subject.at, subject.body, subject.other);
+        std::vector<std::string> names;
+        for (const MemoryEntry& entry : knownEntries(subject.at, subject.body, subject.other))
+            names.push_back(entry.name);
         return names.empty() ? std::nullopt : std::optional(std::move(names));
     }
     if (quantity.itemsChange) return std::nullopt;
@@ -209,6 +212,27 @@ int readPair(lua_State* lua) {
 /// A variable of the run; upvalue 1 is the quantity.
 int readOfRun(lua_State* lua) { return pushValue(lua, quantityIn(lua, lua_upvalueindex(1)), {viewOf(lua).at}); }
 
+/// __index of `draw`: what was drawn for the trial.
+int readDrawn(lua_State* lua) {
+    const WorldView& view = viewOf(lua);
+    if (view.at.drawn == nullptr) return luaL_error(lua, "'draw' is known in experiments alone");
+    const char* const name = luaL_tolstring(lua, 2, nullptr);
+    for (const DrawnValue& one : *view.at.drawn) {
+        if (one.name != name) continue;
+        if (const double* const number = one.value.asFloat()) return lua_pushnumber(lua, *number), 1;
+        if (const std::int64_t* const whole = one.value.asInteger())
+            return lua_pushnumber(lua, static_cast<double>(*whole)), 1;
+        if (const bool* const truth = one.value.asBoolean()) return lua_pushboolean(lua, static_cast<int>(*truth)), 1;
+        if (const std::string* const text = one.value.asText())
+            return lua_pushlstring(lua, text->data(), text->size()), 1;
+        return luaL_error(lua, "draw '%s' is neither a number nor a text", name);
+    }
+    view.text = view.at.drawn->empty() ? "there is none" : "there are ";
+    for (const DrawnValue& one : *view.at.drawn)
+        view.text += (&one == view.at.drawn->data() ? "'" : ", '") + one.name + '\'';
+    return luaL_error(lua, "there is no draw '%s': %s", name, view.text.c_str());
+}
+
 int wrap(lua_State* lua) {
     lua_pushnumber(lua, wrapAngle(luaL_checknumber(lua, 1)));
     return 1;
@@ -243,6 +267,12 @@ public:
         pushHandle(lua_, Handle::Kind::wall, noBody);
         nameType("wall");
         sandbox_.addName("wall");
+        pushHandle(lua_, Handle::Kind::collection, 0);
+        luaL_newmetatable(lua_, "draw");
+        lua_pushcfunction(lua_, readDrawn);
+        lua_setfield(lua_, -2, "__index");
+        lua_setmetatable(lua_, -2);
+        sandbox_.addName("draw");
         lua_pushcfunction(lua_, wrap);
         sandbox_.addName("wrap");
         for (const Quantity& quantity : quantities())

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -77,20 +76,6 @@ struct Decision {
     bool sameOrders(const Decision& other) const;
 };
 
-/// Which readings a controller reads of its observations. The others are left out, and what they cost is saved.
-struct Attention {
-    bool all = true;
-    std::vector<ReadingName> names = {};  ///< those it reads, where not all
-
-    static Attention only(std::vector<ReadingName> names) { return {false, std::move(names)}; }
-    /// Its own pose and speed alone.
-    static Attention ofItself() { return only({selfReading, odometryReading}); }
-    bool reads(const ReadingName& name) const {
-        return all || std::find(names.begin(), names.end(), name) != names.end();
-    }
-    bool operator==(const Attention&) const = default;
-};
-
 /// Control software of one robot: a pure function of what it sees and of its memory, which belongs to the world's state
 /// so that going back is exact. One object may drive many robots.
 class Controller {
@@ -103,7 +88,7 @@ public:
     virtual void start(std::span<std::byte> /*memory*/) const {}
     /// How many commands it may issue in one control period of such a length.
     virtual std::size_t commandsPerPeriod(Nanoseconds /*period*/) const { return 1; }
-    /// Constant.
+    /// Constant. Reading what it leaves out is an error of the controller (Observation::leaveOut()).
     virtual Attention attention() const { return {}; }
 
     /// What a memory of this controller says; empty where it explains nothing.

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "control/reading.h"
@@ -19,6 +23,20 @@ constexpr ReadingName robotsReading = "robots";      ///< SeenBody, those in sig
 constexpr ReadingName objectsReading = "objects";    ///< likewise; the ball is index 0, where there is one
 constexpr ReadingName messagesReading = "messages";  ///< ReceivedMessage, those that arrived since the last instant
 
+/// Which readings a controller reads of its observations. The others are left out, and what they cost is saved.
+struct Attention {
+    bool all = true;
+    std::vector<ReadingName> names = {};  ///< those it reads, where not all
+
+    static Attention only(std::vector<ReadingName> names) { return {false, std::move(names)}; }
+    /// Its own pose and speed alone.
+    static Attention ofItself() { return only({selfReading, odometryReading}); }
+    bool reads(const ReadingName& name) const {
+        return all || std::find(names.begin(), names.end(), name) != names.end();
+    }
+    bool operator==(const Attention&) const = default;
+};
+
 /// What a controller gets to see: the readings that have arrived. It never sees the world's state.
 class Observation {
 public:
@@ -27,12 +45,16 @@ public:
     Nanoseconds time = 0;            ///< now
     std::uint64_t noise = 0;         ///< 64 random bits of this instant, for controllers that draw random numbers
 
+    /// Asked for a reading that is left out, it throws std::logic_error from now on. nullptr: none is.
+    void leaveOut(const Attention* otherThan) { attention_ = otherThan; }
+
     /// In the order of the robot's sensors.
     std::span<const Reading> readings() const { return std::span(readings_).first(used_); }
     /// The first of that name, the oldest where a sensor with a clock of its own gave several; nullptr: there is none.
     const Reading* find(const ReadingName& name) const {
         for (const Reading& reading : readings())
             if (reading.name == name) return &reading;
+        checkAsked(name);
         return nullptr;
     }
     /// The last of that name, the newest.
@@ -40,6 +62,7 @@ public:
         const Reading* found = nullptr;
         for (const Reading& reading : readings())
             if (reading.name == name) found = &reading;
+        if (found == nullptr) checkAsked(name);
         return found;
     }
     /// The records of a reading; empty where there is none, or they are of another type.
@@ -56,12 +79,13 @@ public:
     const std::byte* recordsOf(const Reading& reading) const { return data_.data() + reading.first; }
 
     // The same of the sensors that every robot has.
-    bool localised() const { return self_.count > 0; }  ///< false until the first measurement
-    Pose self() const { return firstOf<Pose>(self_); }  ///< own pose in the world's frame, as measured last
-    Nanoseconds selfMeasured() const { return self_.measured; }
-    Velocity velocity() const { return firstOf<Velocity>(odometry_); }  ///< own, by odometry, now
-    std::span<const SeenBody> robots() const { return allOf<SeenBody>(robots_); }
-    std::span<const SeenBody> objects() const { return allOf<SeenBody>(objects_); }
+    bool localised() const { return asked(self_, selfReading).count > 0; }  ///< false until the first measurement
+    /// Its own pose in the world's frame, as measured last.
+    Pose self() const { return firstOf<Pose>(asked(self_, selfReading)); }
+    Nanoseconds selfMeasured() const { return asked(self_, selfReading).measured; }
+    Velocity velocity() const { return firstOf<Velocity>(asked(odometry_, odometryReading)); }  ///< own, now
+    std::span<const SeenBody> robots() const { return allOf<SeenBody>(asked(robots_, robotsReading)); }
+    std::span<const SeenBody> objects() const { return allOf<SeenBody>(asked(objects_, objectsReading)); }
     std::span<const ReceivedMessage> messages() const { return records<ReceivedMessage>(messagesReading); }
 
     void clearReadings() {
@@ -102,6 +126,16 @@ private:
     T firstOf(const Place& place) const {
         return place.count > 0 ? allOf<T>(place).front() : T{};
     }
+    void checkAsked(const ReadingName& name) const {
+        if (attention_ != nullptr && !attention_->reads(name)) refuse(name);
+    }
+    const Place& asked(const Place& place, const ReadingName& name) const {
+        if (place.count == 0) checkAsked(name);
+        return place;
+    }
+    [[noreturn]] static void refuse(std::string_view name) {
+        throw std::logic_error("it reads '" + std::string(name) + "', which its attention() leaves out");
+    }
     Place append(const ReadingName& name, const RecordType& type, Nanoseconds measured, std::size_t count);
     /// Where a reading of Ts lies, if it is one that every robot has.
     template <class T>
@@ -116,6 +150,7 @@ private:
     void makeRoom();
 
     Place self_, odometry_, robots_, objects_;
+    const Attention* attention_ = nullptr;
     std::vector<Reading> readings_;  ///< the first `used_` of them
     std::size_t used_ = 0;
     std::vector<std::byte> data_;  ///< records of all, each reading's at a multiple of 8; the first `dataSize_` bytes

@@ -18,9 +18,11 @@ namespace mrose {
 struct OpenRequest {
     std::string file;  ///< a scenario, one that ships by its name, or a recording
     std::uint32_t trial = 0;
-    std::optional<std::uint64_t> seed = {};  ///< otherwise the scenario's
-    std::string log = {};                    ///< read instead of those that the scenario names
-    double pluginLimit = 2;                  ///< s, for each decision of a plug-in
+    std::optional<std::uint64_t> seed = {};   ///< otherwise the scenario's
+    std::string log = {};                     ///< read instead of those that the scenario names
+    double pluginLimit = 2;                   ///< s, for each decision of a plug-in
+    std::string variant = {};                 ///< of an experiment, whose trial it is; empty: the first
+    std::vector<std::string> overrides = {};  ///< "PATH=VALUE", in the scenario
 };
 
 /// What a debugger is given to go through.

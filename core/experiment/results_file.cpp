@@ -20,14 +20,17 @@ namespace {
 
 constexpr int mostTries = 100;
 
-/// Trial and seed that a row begins with.
-std::optional<RunKey> keyOf(std::string_view row) {
+/// What a row begins with.
+std::optional<RunKey> keyOf(std::string_view row, bool variants) {
     RunKey key;
-    const char* const end = row.data() + row.size();
-    const auto trial = std::from_chars(row.data(), end, key.trial);
-    if (trial.ec != std::errc() || trial.ptr == end || *trial.ptr != ',') return std::nullopt;
-    const auto seed = std::from_chars(trial.ptr + 1, end, key.seed);
-    if (seed.ec != std::errc() || seed.ptr == end || *seed.ptr != ',') return std::nullopt;
+    const char *at = row.data(), *const end = row.data() + row.size();
+    const auto number = [&](auto& value) {
+        const auto read = std::from_chars(at, end, value);
+        if (read.ec != std::errc() || read.ptr == end || *read.ptr != ',') return false;
+        at = read.ptr + 1;
+        return true;
+    };
+    if (!number(key.trial) || !number(key.seed) || (variants && !number(key.variant))) return std::nullopt;
     return key;
 }
 
@@ -187,11 +190,12 @@ Expected<void> ResultsFile::writeIdentity(const BatchIdentity& identity) const {
 Expected<void> ResultsFile::readRows(const std::filesystem::path& path) {
     const auto text = readFile(path);
     if (!text) return tl::unexpected(text.error());
+    const bool variants = header_.starts_with("trial,seed,variant,");
     for (std::string_view rest = *text; !rest.empty();) {
         const std::size_t end = rest.find('\n');
         if (end == std::string_view::npos) break;
         const std::string_view row = rest.substr(0, end);
-        if (const auto key = keyOf(row)) rows_.emplace(*key, row);
+        if (const auto key = keyOf(row, variants)) rows_.emplace(*key, row);
         rest.remove_prefix(end + 1);
     }
     return {};

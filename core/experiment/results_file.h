@@ -11,12 +11,13 @@
 
 namespace mrose {
 
-/// Which run of a batch.
+/// Which run of a batch or an experiment.
 struct RunKey {
     std::uint32_t trial = 0;
     std::uint64_t seed = 0;
+    std::uint32_t variant = 0;  ///< of an experiment, from 1; 0: of a batch
     friend bool operator<(const RunKey& a, const RunKey& b) {
-        return std::tie(a.trial, a.seed) < std::tie(b.trial, b.seed);
+        return std::tie(a.trial, a.variant, a.seed) < std::tie(b.trial, b.variant, b.seed);
     }
 };
 
@@ -41,7 +42,8 @@ public:
 
     bool has(const RunKey& key) const { return rows_.contains(key); }
     const std::map<RunKey, std::string>& rows() const { return rows_; }
-    /// `row` begins with trial and seed, and is one line; after this a kill does not lose it.
+    /// `row` begins with trial and seed, of an experiment with the variant behind them, and is one line; after this a
+    /// kill does not lose it.
     Expected<void> add(const RunKey& key, const std::string& row);
     /// Writes results.csv and removes results.part.csv.
     Expected<void> finish();

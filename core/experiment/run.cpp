@@ -18,46 +18,76 @@ const char* name(RunEnd end) {
     return "duration";
 }
 
-Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOptions& options) {
-    RunResult result{RunEnd::duration, std::move(state), RunStatistics(scenario)};
-    const Nanoseconds tick = scenario.scene().tickLength;
-    const std::int64_t last = result.state.tick + (options.duration + tick - 1) / tick;
-    StepBuffers buffers;
-    StepTrace trace;
-    WorldState before = result.state;
-    // Only who asks for them pays for them.
-    const bool follows = options.until != nullptr && readsControl(options.until->text(), scenario);
-    trace.asksUnread = follows || options.traceUnread;
-    std::vector<RobotInsight> insights(follows ? result.state.robots.size() : 0);
-    while (result.state.tick < last) {
-        before = result.state;
-        if (options.checkRewind)
-            result.hidden = stepTwice(scenario, result.state, buffers, trace);
-        else
-            step(scenario, result.state, buffers, {}, &trace);
-        result.statistics.add(before, result.state, trace);
-        if (options.each && !options.each(result.state, trace)) {
-            result.end = RunEnd::stopped;
-            return result;
-        }
-        if (!result.hidden.empty()) {
-            result.end = RunEnd::rewind;
-            return result;
-        }
-        if (options.endOnFault && !trace.faults.empty()) {
-            result.end = RunEnd::fault;
-            return result;
-        }
-        if (options.until == nullptr) continue;
-        if (follows) noteInsights(scenario, trace, result.state.tick, before.memory, insights);
-        const auto holds = options.until->holds({&scenario, &result.state, &trace, insights});
-        if (!holds) return tl::unexpected(holds.error());
-        if (*holds) {
-            result.end = RunEnd::condition;
-            return result;
-        }
+namespace {
+
+/// A run under way.
+class Running {
+public:
+    Running(const Scenario& scenario, WorldState state, const RunOptions& options)
+        : scenario_(scenario),
+          options_(options),
+          // Only who asks for them pays for them.
+          follows_(options.watchFollows ||
+                   (options.until != nullptr && readsInsights(options.until->text(), scenario))),
+          first_(state.tick),
+          insights_(follows_ ? state.robots.size() : 0),
+          result_{RunEnd::duration, std::move(state), RunStatistics(scenario), {}} {
+        trace_.asksUnread = follows_ || options.traceUnread;
     }
-    return result;
+
+    Expected<RunResult> go() {
+        const Nanoseconds tick = scenario_.scene().tickLength;
+        const std::int64_t last = first_ + (options_.duration + tick - 1) / tick;
+        while (result_.state.tick < last) {
+            const auto end = takeTick();
+            if (!end) return tl::unexpected(end.error());
+            if (!*end) continue;
+            result_.end = **end;
+            break;
+        }
+        if (options_.finally) options_.finally(now());
+        return std::move(result_);
+    }
+
+private:
+    /// How the run ended with this tick; nullopt: it goes on.
+    Expected<std::optional<RunEnd>> takeTick() {
+        before_ = result_.state;
+        if (options_.checkRewind)
+            result_.hidden = stepTwice(scenario_, result_.state, buffers_, trace_);
+        else
+            step(scenario_, result_.state, buffers_, {}, &trace_);
+        result_.statistics.add(before_, result_.state, trace_);
+        if (follows_) noteInsights(scenario_, trace_, result_.state.tick, before_.memory, insights_);
+        if (options_.each && !options_.each(result_.state, trace_)) return RunEnd::stopped;
+        if (!result_.hidden.empty()) return RunEnd::rewind;
+        if (options_.endOnFault && !trace_.faults.empty()) return RunEnd::fault;
+        if ((result_.state.tick - first_) % options_.every != 0) return std::nullopt;
+        for (const bool watched : {false, true}) {
+            if (watched ? !options_.watch : options_.until == nullptr) continue;
+            const auto over = watched ? options_.watch(now()) : options_.until->holds(now());
+            if (!over) return tl::unexpected(over.error());
+            if (*over) return RunEnd::condition;
+        }
+        return std::nullopt;
+    }
+    Moment now() const { return {&scenario_, &result_.state, &trace_, insights_}; }
+
+    const Scenario& scenario_;
+    const RunOptions& options_;
+    bool follows_;
+    std::int64_t first_;
+    std::vector<RobotInsight> insights_;
+    RunResult result_;
+    StepBuffers buffers_;
+    StepTrace trace_;
+    WorldState before_;
+};
+
+}  // namespace
+
+Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOptions& options) {
+    return Running(scenario, std::move(state), options).go();
 }
 
 }  // namespace mrose

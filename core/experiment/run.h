@@ -18,6 +18,12 @@ const char* name(RunEnd end);
 struct RunOptions {
     Nanoseconds duration = 60 * nanosecondsPerSecond;
     Condition* until = nullptr;  ///< the run ends after the first tick at which it holds
+    /// Asked beside `until`; true ends the run likewise. May be empty.
+    std::function<Expected<bool>(const Moment&)> watch = {};
+    bool watchFollows = false;  ///< `watch` reads what robots saw and decided
+    std::int64_t every = 1;     ///< ticks from one question of `until` and `watch` to the next
+    /// Told the run's end, of whatever kind. May be empty.
+    std::function<void(const Moment&)> finally = {};
     bool endOnFault = false;
     bool checkRewind = false;  ///< takes every tick twice; the run ends where that makes a difference
     bool traceUnread = false;  ///< StepTrace::asksUnread; for a condition that reads sensors so it is without

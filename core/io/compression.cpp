@@ -1,6 +1,7 @@
 #include "io/compression.h"
 
 #include <cassert>
+#include <memory>
 
 #include <zstd.h>
 
@@ -9,7 +10,10 @@ namespace mrose {
 std::string compressed(std::string_view bytes) {
     constexpr int level = 1;
     std::string out(ZSTD_compressBound(bytes.size()), '\0');
-    const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), level);
+    const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+    const std::size_t size = ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
     assert(!ZSTD_isError(size));
     out.resize(size);
     return out;

@@ -120,7 +120,11 @@ void TomlTable::expectOneOf(std::string_view one, std::string_view other, const 
     reject(hasOne ? one : other, "expected either " + expected);
 }
 
-void TomlTable::reject(std::string_view key, std::string cause) { rejectAt(table_->find(key), key, std::move(cause)); }
+void TomlTable::reject(std::string_view key, std::string cause) {
+    const Value* const own = table_->find(key);
+    if (own == nullptr && fallback_.find(key) != nullptr) cause += " (the key is of " + fallbackName_ + ')';
+    rejectAt(own, key, std::move(cause));
+}
 
 void TomlTable::rejectElement(std::string_view key, std::size_t index, std::string cause) {
     const Value* node = table_->find(key);

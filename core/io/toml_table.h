@@ -66,8 +66,10 @@ public:
     std::vector<TomlTable> tablesOrNone(std::string_view key);
 
     /// From now on a key that this table lacks is read from another one, which was checked before: unknown keys in it
-    /// are none of this table's.
-    void fallBackOn(Value table) { fallback_ = std::move(table); }
+    /// are none of this table's. `called`: as messages about its keys name it.
+    void fallBackOn(Value table, std::string called) {
+        fallback_ = std::move(table), fallbackName_ = std::move(called);
+    }
 
     /// The value of a key as it is; null, after remembering that it is missing, where there is none.
     const Value* value(std::string_view key) { return find(key); }
@@ -114,8 +116,9 @@ private:
                    std::vector<double>& out);
 
     std::shared_ptr<State> state_;
-    const Value* table_;                        ///< a table
-    Value fallback_;                            ///< another one, or nothing
+    const Value* table_;  ///< a table
+    Value fallback_;      ///< another one, or nothing
+    std::string fallbackName_;
     std::string path_;                          ///< as messages name it, with a dot at its end
     std::string place_;                         ///< the same with the numbers of elements
     std::set<std::string, std::less<>> asked_;  ///< keys read

@@ -50,7 +50,9 @@ private:
         memory_.assign(controller_->memorySize(), '\0');
         controller_->start(memory());
         std::string bytes = begin(PluginMessage::loaded);
-        appendAttention(controller_->attention(), bytes);
+        attention_ = controller_->attention();
+        observation_.leaveOut(&attention_);
+        appendAttention(attention_, bytes);
         return bytes + memory_;
     }
 
@@ -84,6 +86,7 @@ private:
     std::shared_ptr<const PluginController> controller_;
     std::string memory_;
     RecordTypes types_;
+    Attention attention_;  ///< before the observation that refers to it
     Observation observation_;
     Decision decision_;
 };

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "quantities/drawn_values.h"
 #include "quantities/real_robots.h"
 #include "scenario/scenario.h"
 #include "simulation/step.h"
@@ -37,6 +38,7 @@ struct Moment {
     const StepTrace* trace = nullptr;             ///< of the tick that led there; nullptr at a run's start
     std::span<const RobotInsight> insights = {};  ///< of each robot; empty: they were not recorded
     const RealRobots* real = nullptr;             ///< nullptr: no real log is open
+    const DrawnValues* drawn = nullptr;           ///< for a trial of an experiment; nullptr: it is none
 
     const Scene& scene() const { return scenario->scene(); }
     Nanoseconds now() const { return scene().timeOf(state->tick); }

@@ -55,26 +55,25 @@ std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std
     if (body >= scene.robots.size()) return scene.typeOfObject(body - scene.robots.size()).motion->explain(motion);
     if (part == 0) return scenario.controller(body).explain(scenario.memoryOf(*moment.state, body));
     if (part == 1) return scene.modelOf(body).explain(motion);
-    return sensorEntries(moment, body, part - 2);
+    return sensorEntries(moment, body, part - firstSensorPart);
 }
 
-std::vector<std::string> knownEntries(const Moment& moment, std::size_t body, std::size_t part) {
-    std::vector<std::string> names;
-    if (body >= moment.scene().robots.size() || part < 2) return names;
-    const Sensor& sensor = *moment.scenario->sensors(body)[part - 2];
-    for (const MemoryEntry& entry : sensor.explain(moment.scenario->sensorMemory(*moment.state, body, part - 2)))
-        names.push_back(entry.name);
+std::vector<MemoryEntry> knownEntries(const Moment& moment, std::size_t body, std::size_t part) {
+    if (body >= moment.scene().robots.size() || part < firstSensorPart) return {};
+    const Sensor& sensor = *moment.scenario->sensors(body)[part - firstSensorPart];
+    std::vector<MemoryEntry> known =
+        sensor.explain(moment.scenario->sensorMemory(*moment.state, body, part - firstSensorPart));
     const std::vector<MemoryEntry> summary = sensor.summary({}, {});
-    for (const MemoryEntry& entry : summary) names.push_back(entry.name);
+    known.insert(known.end(), summary.begin(), summary.end());
     for (const ReadingKind& kind : sensor.gives()) {
         const bool own = kind.name == ReadingName(sensor.name());
         if (own && !summary.empty()) continue;
         if (own)
             for (const RecordField& field : kind.type->fields)
-                if (field.count == 1) names.push_back(field.name);
-        names.push_back(countName(kind.name, sensor.name()));
+                if (field.count == 1) known.push_back({field.name, 0, field.unit});
+        known.push_back({countName(kind.name, sensor.name())});
     }
-    return names;
+    return known;
 }
 
 }  // namespace mrose

@@ -15,12 +15,16 @@ namespace mrose {
 /// here, and needs no line in the catalogue.
 std::vector<std::string> partNames(const Scenario& scenario, std::size_t body);
 
+/// The place of a robot's first sensor among its parts; those before explain what the state holds alone.
+constexpr std::size_t firstSensorPart = 2;
+
 /// What a part, by its place in partNames(), remembers now; of a sensor also what it reported at the last control
 /// instant: the numbers of its newest reading where that has one record and the sensor's name, of others how many
 /// records there are.
 std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part);
 
-/// The names of all entries that it can have, where they are known; of controllers and motion models they are not.
-std::vector<std::string> knownEntries(const Moment& moment, std::size_t body, std::size_t part);
+/// All entries that it can have, by their names and units alone, where they are known; of controllers and motion models
+/// they are not.
+std::vector<MemoryEntry> knownEntries(const Moment& moment, std::size_t body, std::size_t part);
 
 }  // namespace mrose

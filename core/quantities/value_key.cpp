@@ -1,8 +1,10 @@
 #include "quantities/value_key.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <regex>
 #include <utility>
 
 #include "quantities/part.h"
@@ -78,6 +80,38 @@ std::string bodyPath(const Scene& scene, std::uint32_t body) {
     return (scene.typeOf(body).person ? "person" : "robot") + name;
 }
 
+/// A body by its number in such a list, from 1; noBody: there is none.
+std::uint32_t bodyNumbered(const Scene& scene, const std::string& list, const std::string& digits) {
+    std::size_t number = 0, persons = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const std::size_t robots = scene.robots.size();
+    if (list == "object" && number >= 1 && number <= scene.objects.size())
+        return static_cast<std::uint32_t>(robots + number - 1);
+    for (std::uint32_t i = 0; i < robots && list != "object"; ++i) {
+        const bool person = scene.typeOf(i).person;
+        persons += person ? 1 : 0;
+        if (person == (list == "person") && number == (person ? persons : scene.placeOf(i) + 1)) return i;
+    }
+    return noBody;
+}
+
+std::uint32_t ballOf(const Scene& scene) {
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
+        if (scene.typeOfObject(i).rolls) return static_cast<std::uint32_t>(scene.robots.size()) + i;
+    return noBody;
+}
+
+/// The unit of a part's entry; "" where it is not known yet.
+std::string entryUnit(const Scenario& scenario, const BoundValue& value) {
+    const WorldState start = scenario.initialState();
+    const Moment moment{&scenario, &start};
+    for (const auto& entries :
+         {knownEntries(moment, value.body, value.other), partEntries(moment, value.body, value.other)})
+        for (const MemoryEntry& entry : entries)
+            if (entry.name == value.item) return entry.unit;
+    return {};
+}
+
 }  // namespace
 
 QuantityValue BoundValue::value(const Moment& at) const {
@@ -119,6 +153,26 @@ std::string pathOf(const Scenario& scenario, const BoundValue& value) {
     const std::string body = bodyPath(scenario.scene(), value.body);
     if (quantity.isPair()) return key.quantity + '(' + body + ", " + bodyPath(scenario.scene(), value.other) + ')';
     return body + '.' + key.quantity + (key.of.empty() ? "" : quoted(key.of));
+}
+
+std::optional<ValueKey> keyOfPath(const Scenario& scenario, const std::string& path) {
+    static const std::regex form(
+        R"re(\s*(?:(robot|person|object)\[(?:"([^"\\]*)"|'([^'\\]*)'|(\d{1,9}))\]|(ball))\.(\w+)(?:\.(\w+)|\["([^"\\]*)"\])?\s*)re");
+    enum Group { list = 1, doubleQuoted, singleQuoted, digits, ball, quantity, plainItem, quotedItem };
+    std::smatch found;
+    if (!std::regex_match(path, found, form)) return {};
+    const auto text = [&](Group group) { return found[group].str(); };
+    const Scene& scene = scenario.scene();
+    ValueKey key{text(quantity), text(doubleQuoted) + text(singleQuoted), text(plainItem) + text(quotedItem)};
+    if (key.body.empty()) {
+        const std::uint32_t body = found[ball].matched ? ballOf(scene) : bodyNumbered(scene, text(list), text(digits));
+        if (body == noBody) return {};
+        key.body = nameOfBody(scene, body);
+    }
+    const std::optional<BoundValue> value = boundTo(scenario, key);
+    if (!value) return {};
+    if (value->quantity == &partQuantity()) key.unit = entryUnit(scenario, *value);
+    return key;
 }
 
 }  // namespace mrose

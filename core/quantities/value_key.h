@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -44,5 +45,8 @@ ValueKey keyOf(const Scenario& scenario, const BoundValue& value);
 
 /// As conditions spell it: robot["red 2"].speed.
 std::string pathOf(const Scenario& scenario, const BoundValue& value);
+/// What such a spelling of a body's quantity or entry stands for, also by number, robot[2].speed, and as ball.speed;
+/// nullopt: it is more than that, or there is no such value.
+std::optional<ValueKey> keyOfPath(const Scenario& scenario, const std::string& path);
 
 }  // namespace mrose

@@ -185,6 +185,28 @@ std::string batchJson(const BatchSummary& summary, const std::string& folder) {
     return json.dump(2);
 }
 
+std::string experimentJson(const ExperimentSummary& summary, const std::string& folder) {
+    Printed json{
+        {"runs", summary.runs}, {"done", summary.done}, {"resumed", summary.resumed}, {"complete", summary.complete}};
+    for (const VariantSummary& variant : summary.variants) {
+        Printed one{{"variant", variant.name},
+                    {"runs", variant.runs},
+                    {"ended_by_condition", variant.ended},
+                    {"ended_by_fault", variant.faulty}};
+        for (const MeasureSummary& measure : variant.measures) {
+            const auto number = [&](double value) { return measure.count > 0 ? Printed(value) : Printed(nullptr); };
+            one["measures"][measure.name] = {{"count", measure.count},
+                                             {"mean", number(measure.mean)},
+                                             {"deviation", number(measure.deviation)},
+                                             {"least", number(measure.least)},
+                                             {"most", number(measure.most)}};
+        }
+        json["variants"].push_back(std::move(one));
+    }
+    if (summary.complete) json["results"] = folder + "/results.csv";
+    return json.dump(2);
+}
+
 std::string replayJson(const Recording& recording, const ReplayReport& report) {
     const auto& difference = report.difference;
     Printed json{{"ticks", report.ticks},

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "experiment/batch.h"
+#include "experiment/experiment.h"
 #include "experiment/run.h"
 #include "identification/log_inspection.h"
 #include "identification/network_trainer.h"
@@ -33,6 +34,8 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
 
 /// `folder`: of results.csv.
 std::string batchJson(const BatchSummary& summary, const std::string& folder);
+
+std::string experimentJson(const ExperimentSummary& summary, const std::string& folder);
 
 std::string replayJson(const Recording& recording, const ReplayReport& report);
 

@@ -37,6 +37,8 @@ Expected<Description> loadDescription(const std::string& name, DescriptionSource
         case DescriptionKind::sensor:
             if (const auto preset = readSensorPreset(*file, library); !preset) return tl::unexpected(preset.error());
             return fail(shown, "describes a sensor, which robot files name by `preset`; expected another description");
+        case DescriptionKind::experiment:
+            return fail(shown, "describes an experiment, which mrose experiment runs; expected another description");
         case DescriptionKind::scenario:
             break;
     }

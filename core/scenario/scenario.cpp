@@ -69,6 +69,9 @@ void Scenario::layOut() {
         slots.sensing = sensingSize_;
         slots.sensingSize = static_cast<std::uint32_t>(sensors_[slots.type].memorySize);
         const Attention attention = controller(i).attention();
+        const auto same = std::find(attentions_.begin(), attentions_.end(), attention);
+        slots.attention = static_cast<std::uint32_t>(same - attentions_.begin());
+        if (same == attentions_.end()) attentions_.push_back(attention);
         slots.readsMessages = attention.reads(messagesReading);
         std::vector<std::uint32_t> wanted;
         for (const auto& sensor : sensors_[slots.type].all) {

@@ -103,6 +103,8 @@ public:
     std::uint32_t wanted(std::size_t robot, std::size_t sensor) const { return wanted_[slots_[robot].wanted + sensor]; }
     /// Of each robot; noTeam: of none.
     std::span<const std::uint32_t> teams() const { return teams_; }
+    /// What its controller reads.
+    const Attention& attention(std::size_t robot) const { return attentions_[slots_[robot].attention]; }
     bool readsMessages(std::size_t robot) const { return slots_[robot].readsMessages; }
     /// What one of them remembers in WorldState::sensing.
     template <class State>
@@ -159,7 +161,7 @@ private:
     struct alignas(64) Slots {
         std::size_t commands = 0, motion = 0, memory = 0, sensing = 0;  ///< where they begin
         std::uint32_t commandCount = 0, motionSize = 0, memorySize = 0, sensingSize = 0;
-        std::uint32_t type = 0, wanted = 0;
+        std::uint32_t type = 0, wanted = 0, attention = 0;
         bool readsMessages = false;
     };
     /// Of a type of robots.
@@ -184,6 +186,7 @@ private:
     std::vector<std::uint32_t> teams_;
     std::vector<Sensors> sensors_;       ///< of each type
     std::vector<std::uint32_t> wanted_;  ///< of a robot's sensors, once for all with the same
+    std::vector<Attention> attentions_;  ///< likewise
     std::size_t commandSlots_ = 0, motionSize_ = 0, memorySize_ = 0, sensingSize_ = 0;
     PastPoses past_;
     std::int64_t touchDepth_ = 0;

@@ -352,7 +352,7 @@ Expected<LoadedScenario> ScenarioReader::read() {
     const bool goesOn = root_.has("initial_state");
     if (goesOn && !root_.failed()) readSavedState();
     root_.rejectUnknown();
-    if (!root_.failed() && !goesOn) checkStarts();
+    if (!root_.failed() && !goesOn && loading_.checkStarts) checkStarts();
     if (root_.failed()) return tl::unexpected(root_.error());
     return LoadedScenario{ScenarioValue(name_, root_.resolved()), std::move(parts_)};
 }
@@ -373,6 +373,11 @@ Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource
 Expected<LoadedScenario> loadScenario(const ScenarioValue& value, DescriptionSource& source,
                                       const ScenarioLoading& loading) {
     DescriptionLibrary library(source);
+    return loadScenario(value, library, loading);
+}
+
+Expected<LoadedScenario> loadScenario(const ScenarioValue& value, DescriptionLibrary& library,
+                                      const ScenarioLoading& loading) {
     return ScenarioReader(value, library, loading).read();
 }
 

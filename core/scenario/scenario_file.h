@@ -11,6 +11,8 @@
 
 namespace mrose {
 
+class DescriptionLibrary;
+
 /// A scenario as a value, and what is made of it.
 struct LoadedScenario {
     ScenarioValue value;
@@ -28,6 +30,8 @@ struct ScenarioLoading {
     /// False: no log is read. Robots that play one get no commands and stand at the origin: for who opens the log at
     /// another instant.
     bool playLogs = true;
+    /// False: bodies may overlap at the start. The caller looks (start_check.h).
+    bool checkStarts = true;
 };
 
 /// Loads the scenario file called `name` (resources/README.md explains the keys), or the one of that name that ships,
@@ -41,5 +45,8 @@ Expected<LoadedScenario> loadScenario(const std::string& name, DescriptionSource
 Expected<LoadedScenario> loadScenario(const ScenarioValue& value, DescriptionSource& source,
                                       const ScenarioLoading& loading = {});
 Expected<LoadedScenario> loadScenario(const ScenarioValue& value, const ScenarioLoading& loading = {});
+/// The same with a library that keeps what it has read, for who loads many.
+Expected<LoadedScenario> loadScenario(const ScenarioValue& value, DescriptionLibrary& library,
+                                      const ScenarioLoading& loading = {});
 
 }  // namespace mrose

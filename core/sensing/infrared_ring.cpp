@@ -23,7 +23,8 @@ InfraredRing::InfraredRing(const SensorTraits& traits, const Options& options)
 
 std::vector<SensorElement> InfraredRing::elements() const {
     std::vector<SensorElement> elements;
-    for (const Pose& element : options_.elements) elements.push_back({element, options_.beam / 2, options_.range});
+    for (const Pose& element : options_.elements)
+        elements.push_back({element, options_.beam / 2, options_.range, options_.reference});
     return elements;
 }
 

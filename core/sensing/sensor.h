@@ -25,6 +25,7 @@ struct SensorElement {
     Pose mount;            ///< in the robot's frame, x along its axis
     double halfWidth = 0;  ///< rad, of its cone; 0: a ray
     double range = 0;      ///< m, how far it reaches
+    double reference = 0;  ///< m, infrared: the range at which a surface that faces it gives intensity 1
 };
 
 /// What a robot file says of any sensor beyond those that every robot has.

@@ -99,7 +99,8 @@ std::vector<SensorPointer> readSensors(std::vector<TomlTable> tables, const Sens
         if (table.has("preset")) {
             const Value* const preset = sources.preset(table, "preset");
             if (preset == nullptr) continue;
-            table.fallBackOn(*preset);
+            const Value::File file = table.value("preset")->sharedFile();
+            table.fallBackOn(*preset, file ? file->reference : table.string("preset"));
         }
         SensorTraits traits{name(table, "name"), durationOr(table, "period_s", 0, {0.001, 10})};
         const bool plain =

@@ -19,7 +19,7 @@ bool isWithin(const Shape& shape, const Point& place) {
 }
 
 std::string outsideText(const Point& place) {
-    return "is at " + numberText(place.x) + ", " + numberText(place.y) + ", outside of the robot's shape";
+    return "is at " + fixed(place.x, 3) + ", " + fixed(place.y, 3) + ", outside of the robot's shape";
 }
 
 }  // namespace
@@ -44,7 +44,8 @@ std::vector<Pose> readElements(TomlTable& table, const SensorSources& sources, s
             const double heading = first + 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
             const Point place = radius * towards(heading);
             elements.push_back({place.x, place.y, heading});
-            if (sources.shape && !isWithin(*sources.shape, place)) table.reject("ring", outsideText(place));
+            if (sources.shape && !isWithin(*sources.shape, place))
+                table.reject("ring", "has an element that " + outsideText(place));
         }
         return elements;
     }

@@ -129,7 +129,9 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         if (asked) {
             observe(scenario, state, i, scenario.sensorMemory(state, i), buffers.sensing, buffers.observation);
             buffers.decision.clear();
+            buffers.observation.leaveOut(&scenario.attention(i));
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);
+            buffers.observation.leaveOut(nullptr);
             checkMessages(buffers.decision, scenario.scene());
             decision = &buffers.decision;
         }

@@ -7,7 +7,7 @@
 #include "synthetic/field_landmarks.h"
 #include "synthetic/reference_camera.h"
 #include "synthetic/reference_localiser.h"
-#include "world/noise.h"
+#include "synthetic/sensor_noise.h"
 
 namespace mrose {
 namespace {
@@ -27,7 +27,7 @@ constexpr double pause = 5;  // s between trajectories
 double inTenThousandths(double value) { return std::round(value * 1e4) / 1e4; }
 
 Pose tracked(const Pose& pose, std::uint64_t seed, std::int64_t sample, const SyntheticTracker& tracker) {
-    const auto noise = [&](std::uint32_t channel) { return normalNoise({seed, sample, 0, channel}); };
+    const auto noise = [&](std::uint32_t channel) { return boxMullerPair({seed, sample, 0, channel}).first; };
     return {inTenThousandths(pose.x + tracker.positionNoise * noise(trackedX)),
             inTenThousandths(pose.y + tracker.positionNoise * noise(trackedY)),
             inTenThousandths(pose.heading + tracker.headingNoise * noise(trackedHeading))};

@@ -79,11 +79,11 @@ private:
     /// Odometry: what is driven and turned is not quite known.
     void carryOn(const Pose& from, const Pose& to) {
         const double way = distance(position(from), position(to)), turn = std::abs(to.heading - from.heading);
-        const NoisePair along = normalPair(key(slipped));
+        const NoisePair along = boxMullerPair(key(slipped));
         const double off = p_.slip * std::sqrt(way);
         belief_.x += off * along.first;
         belief_.y += off * along.second;
-        belief_.heading += p_.turnSlip * std::sqrt(turn) * normalNoise(key(turned));
+        belief_.heading += p_.turnSlip * std::sqrt(turn) * boxMullerPair(key(turned)).first;
     }
 
     /// The fit to the bearings' errors, by the bearings' derivatives, takes the belief a part of the way along.

@@ -6,7 +6,7 @@
 
 #include "geometry/elementary.h"
 #include "geometry/point.h"
-#include "world/noise.h"
+#include "synthetic/sensor_noise.h"
 
 namespace mrose {
 namespace {
@@ -29,7 +29,7 @@ double inSteps(double value, double quantum) { return std::round(value / quantum
 }  // namespace
 
 double ReferenceRobot::normal(std::int64_t draw, std::uint32_t channel) const {
-    return seed_ ? normalNoise({*seed_, draw, 0, channel}) : 0;
+    return seed_ ? boxMullerPair({*seed_, draw, 0, channel}).first : 0;
 }
 
 ReferenceRobotState ReferenceRobot::start(const Pose& pose) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "geometry/elementary.h"
 #include "world/noise.h"
@@ -8,6 +9,15 @@
 namespace mrose {
 
 // Distributions that no learned sensor is made of, each from one key.
+
+/// Two standard normal ones, by Box and Muller's transform: the logs of a seed stay what they are, whatever the world
+/// draws its own by.
+inline NoisePair boxMullerPair(const NoiseKey& key) {
+    const NoisePair u = uniformPair(key);
+    const double radius = std::sqrt(-2 * logarithm(u.first));
+    const auto [s, c] = elementary::byQuadrant(2 * std::numbers::pi * u.second);  // sineCosine(), but nothing to guess
+    return {radius * c, radius * s};
+}
 
 /// Laplace's distribution of standard deviation 1.
 inline double laplaceNoise(const NoiseKey& key) {
@@ -20,7 +30,7 @@ inline double laplaceNoise(const NoiseKey& key) {
 /// key of its own.
 inline double studentNoise(const NoiseKey& key, const NoiseKey& spread) {
     const NoisePair u = uniformPair(spread);
-    return normalNoise(key) / std::sqrt(-0.5 * logarithm(u.first * u.second));
+    return boxMullerPair(key).first / std::sqrt(-0.5 * logarithm(u.first * u.second));
 }
 
 /// Stretches in which nothing is reported.

@@ -65,7 +65,8 @@ Expected<FileKind> fileKind(const std::string& path) {
     if (bytes->starts_with(recordingMagic)) return FileKind::recording;
     if (!isText(*bytes)) return fail(path, notThis("is no description, recording or network of mrose"));
     const std::string format = formatOf(*bytes);
-    if (format == "mrose scenario" || format == "mrose scenario value" || format == "mrose state")
+    if (format == "mrose scenario" || format == "mrose scenario value" || format == "mrose state" ||
+        format == "mrose experiment")
         return FileKind::scenario;
     if (format == "mrose network" || format == "mrose motion network") return FileKind::network;
     if (format == "mrose shape" || format == "mrose environment" || format == "mrose robot")

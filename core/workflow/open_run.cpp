@@ -66,15 +66,18 @@ Expected<OpenedRun> openToRun(const OpenRequest& request, const OpenProgress& pr
     WatchedDescriptions source(openDescriptions(request.log), progress);
     ScenarioRequest wanted{request.file};
     wanted.trial = request.trial;
+    wanted.variant = request.variant;
+    wanted.overrides = request.overrides;
     wanted.plugins.isolate = false;  // who loads it does that
     wanted.plugins.load = [load = isolating(request, progress)](const std::string& path, const std::string& options,
                                                                 double) { return load(path, options); };
     auto opened = openScenario(wanted, source);
     if (!opened) return tl::unexpected(opened.error());
-    auto& [loaded, plugins, scenario, notes] = *opened;
+    auto& [loaded, plugins, scenario, notes, trial] = *opened;
     OpenedRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
     if (request.seed) run.start = scenario->initialState(*request.seed);
     if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
+    if (!request.variant.empty()) run.name += ", " + request.variant;
     run.setup = std::make_shared<const BranchSetup>(
         BranchSetup{std::make_shared<const ScenarioValue>(std::move(loaded.value)), std::move(scenario)});
     run.files = std::move(plugins);

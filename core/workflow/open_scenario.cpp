@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "experiment/experiment.h"
+#include "experiment/trial.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "scenario/start_check.h"
@@ -48,23 +50,66 @@ Value seenFromHere(const ScenarioOverride& given) {
     return here ? Value(std::filesystem::absolute(*name, ignored).lexically_normal().string()) : given.value;
 }
 
+/// The scenario of a value with what is overridden; not yet read.
+Expected<ScenarioValue> overridden(ScenarioValue value, const std::vector<std::string>& assignments) {
+    for (const std::string& assignment : assignments) {
+        const auto given = parseOverride(assignment);
+        if (!given) return tl::unexpected(given.error());
+        auto changed = value.with(given->path, seenFromHere(*given));
+        if (!changed) return changed;
+        value = std::move(*changed);
+    }
+    return value;
+}
+
 /// With what is overridden; plug-ins are loaded once, when it is.
 Expected<LoadedScenario> loadOverridden(const ScenarioRequest& request, DescriptionSource& source,
                                         const PluginLoader& plugins) {
     if (request.overrides.empty()) return loadScenario(request.file, source, {plugins});
     auto loaded = loadScenario(request.file, source);
     if (!loaded) return loaded;
-    for (const std::string& assignment : request.overrides) {
-        const auto given = parseOverride(assignment);
-        if (!given) return tl::unexpected(given.error());
-        auto changed = loaded->value.with(given->path, seenFromHere(*given));
-        if (!changed) return tl::unexpected(changed.error());
-        loaded->value = std::move(*changed);
+    const auto value = overridden(std::move(loaded->value), request.overrides);
+    if (!value) return tl::unexpected(value.error());
+    return loadScenario(*value, source, {plugins});
+}
+
+/// A trial of an experiment.
+Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioRequest& request,
+                                   const PluginLoader& plugins, OpenedTrial& opened) {
+    const auto isAsked = [&](const Variant& variant) { return variant.name == request.variant; };
+    const auto& variants = experiment.variants;
+    const auto variant =
+        request.variant.empty() ? variants.begin() : std::find_if(variants.begin(), variants.end(), isAsked);
+    if (variant == variants.end()) {
+        std::string names;
+        for (const Variant& one : variants) names += (names.empty() ? "\"" : ", \"") + one.name + '"';
+        return fail(experiment.file, "has no variant \"" + request.variant + "\"; expected one of " + names);
     }
-    return loadScenario(loaded->value, source, {plugins});
+    TrialExpressions expressions(experiment);
+    auto trial = TrialMaker(experiment, expressions, {plugins}).make(std::max(request.trial, 1u));
+    if (!trial) return tl::unexpected(trial.error());
+    LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
+    opened = {experiment.file, std::move(trial->drawn), experiment.until,
+              ticksBetweenLooks(experiment, loaded.parts.scene)};
+    return std::move(loaded);
 }
 
 }  // namespace
+
+Expected<std::optional<Experiment>> openExperiment(const std::string& file, const std::vector<std::string>& overrides,
+                                                   DescriptionSource& source) {
+    constexpr std::string_view folders[] = {"resources/experiments", "resources/scenarios"};
+    const auto found = DescriptionLibrary(source).file(file, folders);
+    if (!found || !isExperiment((*found)->content)) return std::optional<Experiment>();
+    auto experiment = readExperiment(*found, source);
+    if (!experiment || overrides.empty()) return experiment;
+    auto value = overridden(std::move(experiment->scenario), overrides);
+    if (!value) return tl::unexpected(value.error());
+    auto loaded = loadScenario(*value, source, {.checkStarts = false});
+    if (!loaded) return tl::unexpected(loaded.error());
+    experiment->scenario = std::move(loaded->value);
+    return experiment;
+}
 
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {
     DiskDescriptions source = openDescriptions(request.log);
@@ -74,18 +119,30 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& source) {
     std::map<std::string, std::string> hashes;
     const PluginLoader load = pluginLoader(request.plugins);
-    auto loaded = loadOverridden(request, source, [&](const std::string& path, const std::string& options) {
+    const PluginLoader hashed = [&](const std::string& path, const std::string& options) {
         if (const auto content = readFile(path)) hashes[path] = contentHash(*content);
         return load(path, options);
-    });
+    };
+    const auto experiment = openExperiment(request.file, request.overrides, source);
+    if (!experiment) return tl::unexpected(experiment.error());
+    std::optional<OpenedTrial> trial;
+    Expected<LoadedScenario> loaded;
+    if (*experiment) {
+        loaded = loadTrial(**experiment, request, hashed, trial.emplace());
+    } else if (!request.variant.empty()) {
+        return fail(request.file, "is no experiment, and has no variant \"" + request.variant + '"');
+    } else {
+        loaded = loadOverridden(request, source, hashed);
+    }
     if (!loaded) return tl::unexpected(loaded.error());
     if (request.plugins.loaded) request.plugins.loaded(loaded->parts);
     std::vector<std::string> notes = startsApartText(*loaded);
-    loaded = varied(*loaded, request.trial);
+    if (!trial) loaded = varied(*loaded, request.trial);
     if (!loaded) return tl::unexpected(loaded.error());
     for (std::string& sentence : startsOutsideText(loaded->parts.scene)) notes.push_back(std::move(sentence));
     auto scenario = std::make_shared<const Scenario>(loaded->parts);
-    return OpenedScenario{std::move(*loaded), std::move(hashes), std::move(scenario), std::move(notes)};
+    return OpenedScenario{std::move(*loaded), std::move(hashes), std::move(scenario), std::move(notes),
+                          std::move(trial)};
 }
 
 std::vector<std::string> startsOutsideText(const Scene& scene) {

@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "experiment/experiment_file.h"
+#include "quantities/drawn_values.h"
 #include "workflow/plugins.h"
 
 namespace mrose {
@@ -15,8 +18,19 @@ struct ScenarioRequest {
     std::string file;                         ///< or the name of one that ships
     std::string log = {};                     ///< read instead of those that it names
     std::vector<std::string> overrides = {};  ///< "PATH=VALUE", as of parseOverride()
-    std::uint32_t trial = 0;                  ///< starts as this trial of a batch does; 0: as it is written
+    /// Starts as this trial of a batch does; 0: as it is written. Of an experiment, whose file may stand for its
+    /// scenario: this trial; 0: the first.
+    std::uint32_t trial = 0;
+    std::string variant = {};  ///< of an experiment; empty: the first
     PluginUse plugins = {};
+};
+
+/// What an experiment says of one of its trials beside the scenario.
+struct OpenedTrial {
+    std::string file;  ///< the experiment's
+    DrawnValues drawn;
+    FileExpression until;
+    std::int64_t every = 1;  ///< ticks from look to look
 };
 
 /// A scenario ready to run.
@@ -24,13 +38,19 @@ struct OpenedScenario {
     LoadedScenario loaded;
     std::map<std::string, std::string> plugins;  ///< hashes of their files' contents, by path
     std::shared_ptr<const Scenario> scenario;
-    std::vector<std::string> notes;  ///< what is most likely a mistake, a sentence each
+    std::vector<std::string> notes;         ///< what is most likely a mistake, a sentence each
+    std::optional<OpenedTrial> trial = {};  ///< of an experiment
 };
 
 /// Error: the first thing wrong in any file that it is made from, or in an override.
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request);
 /// The same of descriptions from elsewhere than the disk, instead of `request.log` too.
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& source);
+
+/// The experiment that a file describes, with what is overridden in its scenario; nullopt: it is another file, or none.
+/// Error: the first thing wrong in it.
+Expected<std::optional<Experiment>> openExperiment(const std::string& file, const std::vector<std::string>& overrides,
+                                                   DescriptionSource& source);
 
 /// A sentence for each body that starts outside the walls, of the first ten: most are a mistake.
 std::vector<std::string> startsOutsideText(const Scene& scene);

@@ -13,9 +13,17 @@
 namespace mrose {
 namespace {
 
-/// What every batch's first line begins with, and where the end stands.
-constexpr const char* firstColumns = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
-constexpr std::size_t endColumn = 3;
+/// What the first line of a batch or an experiment begins with.
+constexpr const char* ofBatch = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m";
+constexpr const char* ofExperiment = "trial,seed,variant,variant_name,end,time_s";
+
+/// Where what is needed of a row stands.
+struct Columns {
+    std::size_t time = 0, command = 0;
+    explicit Columns(const std::vector<std::string>& names)
+        : time(static_cast<std::size_t>(std::ranges::find(names, "time_s") - names.begin())),
+          command(static_cast<std::size_t>(std::ranges::find(names, "command") - names.begin())) {}
+};
 
 /// As a shell takes a line apart that was quoted for it by apostrophes.
 std::vector<std::string> wordsOf(const std::string& command) {
@@ -50,18 +58,21 @@ bool parse(const std::string& text, Number& number) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-std::optional<TrialRow> rowOf(std::vector<std::string> cells, std::size_t command, const std::string& path) {
+std::optional<TrialRow> rowOf(std::vector<std::string> cells, const Columns& columns, const std::string& path) {
     TrialRow row;
     std::uint64_t seed = 0;
-    if (cells.size() <= command || !parse(cells[0], row.request.trial) || !parse(cells[1], seed) ||
-        !parse(cells[endColumn], row.end))
+    if (cells.size() <= std::max(columns.time, columns.command) || !parse(cells[0], row.request.trial) ||
+        !parse(cells[1], seed) || !parse(cells[columns.time], row.end))
         return {};
     row.request.seed = seed;
-    const std::vector<std::string> words = wordsOf(cells[command]);
+    const std::vector<std::string> words = wordsOf(cells[columns.command]);
     if (words.size() < 3 || words[1] != "run") return {};
     row.request.file = found(words[2], path);
-    for (std::size_t i = 3; i + 1 < words.size(); ++i)
+    for (std::size_t i = 3; i + 1 < words.size(); ++i) {
         if (words[i] == "--log") row.request.log = found(words[i + 1], path);
+        if (words[i] == "--variant") row.request.variant = words[i + 1];
+        if (words[i] == "--set") row.request.overrides.push_back(words[i + 1]);
+    }
     row.cells = std::move(cells);
     return row;
 }
@@ -71,21 +82,22 @@ std::optional<TrialRow> rowOf(std::vector<std::string> cells, std::size_t comman
 Expected<TrialTable> readTrials(const std::string& path) {
     const auto text = readFile(path);
     if (!text) return tl::unexpected(text.error());
-    if (!text->starts_with(firstColumns)) return fail(path, "is no results.csv of mrose batch", 1);
+    if (!text->starts_with(ofBatch) && !text->starts_with(ofExperiment))
+        return fail(path, "is no results.csv of mrose batch or experiment", 1);
     TrialTable table;
-    std::size_t command = 0;
+    std::optional<Columns> columns;
     int line = 0;
     for (std::size_t begin = 0; begin < text->size();) {
         const std::size_t end = std::min(text->find('\n', begin), text->size());
         std::vector<std::string> cells = resultsCells(std::string_view(*text).substr(begin, end - begin));
         begin = end + 1;
         if (++line == 1) {
-            while (command < cells.size() && cells[command] != "command") ++command;
+            columns.emplace(cells);
             table.columns = std::move(cells);
             continue;
         }
         // A table is as wide as its first line: no row is filled up to that.
-        auto row = cells.size() == table.columns.size() ? rowOf(std::move(cells), command, path) : std::nullopt;
+        auto row = cells.size() == table.columns.size() ? rowOf(std::move(cells), *columns, path) : std::nullopt;
         if (!row) return fail(path, "is no row of a batch; expected trial, seed and the command that runs it", line);
         table.rows.push_back(std::move(*row));
     }

@@ -57,6 +57,14 @@ private:
     std::optional<Error> lost_;
 };
 
+/// nullopt: it ends with its time.
+Expected<std::optional<Condition>> endOfTrial(const OpenedTrial& trial, const Scenario& scenario) {
+    if (trial.until.empty()) return std::optional<Condition>();
+    auto compiled = compileCondition(trial.until.text, scenario, "", nullptr, &trial.drawn);
+    if (!compiled) return tl::unexpected(trial.until.placed(compiled.error(), trial.file));
+    return std::optional<Condition>(std::move(*compiled));
+}
+
 }  // namespace
 
 Expected<std::optional<Condition>> openCondition(const std::string& text, const Scenario& scenario) {
@@ -76,9 +84,23 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     RunOptions options;
     options.duration = request.duration ? fromSeconds(*request.duration) : scenario.parts().duration;
     options.until = *until ? &**until : nullptr;
-    options.endOnFault = request.endOnFault;
+    options.endOnFault = request.endOnFault || opened->trial;
     options.checkRewind = request.checkRewind;
     options.traceUnread = !request.recording.empty();
+    std::optional<Condition> over;
+    if (opened->trial) {
+        auto compiled = endOfTrial(*opened->trial, scenario);
+        if (!compiled) return tl::unexpected(compiled.error());
+        over = std::move(*compiled);
+        options.every = opened->trial->every;
+        options.watchFollows = readsInsights(opened->trial->until.text, scenario);
+    }
+    if (over)
+        options.watch = [&](const Moment& at) {
+            Moment drawn = at;
+            drawn.drawn = &opened->trial->drawn;
+            return over->holds(drawn);
+        };
     const WorldState initial = scenario.initialState(request.seed.value_or(scenario.parts().seed));
     std::optional<RecordingWriter> writer;
     if (!request.recording.empty()) {

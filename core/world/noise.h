@@ -35,7 +35,7 @@ NoisePair uniformPair(const NoiseKey& key);
 /// Two standard normal and independent ones; the first is normalNoise's.
 NoisePair normalPair(const NoiseKey& key);
 
-/// Standard normal, by Box and Muller's transform of the same counter's two words.
+/// Standard normal.
 double normalNoise(const NoiseKey& key);
 
 /// Eight uniform numbers in the open interval (0, 1) of 32 bits each, at the price of one: the key's bits in order.

@@ -27,7 +27,7 @@ Scenario shippedWorld(const std::string& name) {
 
 /// By robot, means over the runs.
 struct Walks {
-    std::vector<double> atWalls;  ///< s, in contact with what stands still
+    std::vector<double> atWalls;  ///< s, in contact with what stands still, while walking
     std::vector<double> driven;   ///< m
 };
 
@@ -45,8 +45,9 @@ Walks walksIn(const Scenario& scenario, int seeds, double duration) {
             for (const ContactReport& contact : trace.contacts)
                 if (contact.bodyB == noBody && contact.bodyA < robots) touches[contact.bodyA] = true;
             for (std::size_t i = 0; i < robots; ++i) {
-                walks.atWalls[i] += touches[i] ? tickSeconds / seeds : 0;
-                walks.driven[i] += distance(position(before[i].pose), position(state.robots[i].pose)) / seeds;
+                const double way = distance(position(before[i].pose), position(state.robots[i].pose));
+                walks.atWalls[i] += touches[i] && way > 0.1 * tickSeconds ? tickSeconds / seeds : 0;
+                walks.driven[i] += way / seeds;
             }
         }
     }

@@ -26,11 +26,11 @@ TEST_F(WindowTest, DraggedRobotStandsWhereItWasDroppedAndUndoTakesItBack) {
     settle();
     const StateHash before = window.shown()->hash;
     const Pose from = state().robots[2].pose;
-    drag(pixelOf(2), pixelOf(2) + QPointF(-40, -30));
+    drag(pixelOf(2), pixelOf(2) + QPointF(40, 60));
     const double scale = window.field().transform().scale();
     EXPECT_EQ(window.shown()->branches.size(), 2u);
-    EXPECT_NEAR(state().robots[2].pose.x, from.x - 40 / scale, 1e-9);
-    EXPECT_NEAR(state().robots[2].pose.y, from.y + 30 / scale, 1e-9);
+    EXPECT_NEAR(state().robots[2].pose.x, from.x + 40 / scale, 1e-9);
+    EXPECT_NEAR(state().robots[2].pose.y, from.y - 60 / scale, 1e-9);
     key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(window.shown()->hash, before);
 }

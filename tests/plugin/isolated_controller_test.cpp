@@ -59,6 +59,21 @@ TEST_F(Isolation, DecidesAsInTheProgram) {
     EXPECT_GT(a.robots[0].pose.x, 1);
 }
 
+TEST_F(Isolation, ReadingWhatItsAttentionLeavesOutIsAFault) {
+    for (const std::string what : {"robots", "scan"})
+        for (const bool apart : {false, true}) {
+            const std::string options = how("unasked " + what, 0.1);
+            const Scenario scenario =
+                drivenBy({apart ? isolated("misbehaving", options) : loaded("misbehaving", options)});
+            WorldState state = scenario.initialState();
+            const auto faults = faultsOfRun(scenario, state, 20);
+            ASSERT_FALSE(faults.empty());
+            EXPECT_NE(faults[0].what.find("it reads '" + what + "', which its attention() leaves out"),
+                      std::string::npos)
+                << faults[0].what;
+        }
+}
+
 TEST_F(Isolation, ExplainsAsInTheProgram) {
     const auto apart = isolated("well_behaved", "label = \"n\"\n"), here = loaded("well_behaved", "label = \"n\"\n");
     std::vector<std::byte> memory(apart->memorySize());

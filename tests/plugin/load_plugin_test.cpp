@@ -36,7 +36,7 @@ TEST(PluginLoading, ControllerDecidesAndRemembers) {
     const Controller& controller = **loaded;
     EXPECT_EQ((*loaded)->path(), testPlugin("well_behaved"));
     EXPECT_EQ(controller.commandsPerPeriod(100'000'000), 2u);
-    EXPECT_EQ(controller.attention(), Attention::only({"self", "odometry", "robots"}));
+    EXPECT_EQ(controller.attention(), Attention::only({"self", "odometry", "robots", "messages"}));
     std::vector<std::byte> memory(controller.memorySize());
     controller.start(memory);
     ObservationParts observation;

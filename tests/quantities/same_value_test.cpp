@@ -102,6 +102,10 @@ TEST_P(SameValue, InAConditionAndInAPlot) {
             const std::string path = pathOf(scenario_, *bound);
             SCOPED_TRACE(path + " at " + std::to_string(tick));
             EXPECT_EQ(keyOf(scenario_, *bound), key);
+            if (bound->quantity->isOfBody() || bound->quantity == &partQuantity()) {
+                const ValueKey found = keyOfPath(scenario_, path).value_or(ValueKey{});
+                EXPECT_EQ(found.words(), ValueKey(key.quantity, key.body, key.of, found.unit).words());
+            }
             const QuantityValue value = bound->value(moment);
             if (const auto* const text = std::get_if<std::string>(&value)) {
                 auto condition = compileCondition(path + " == \"" + *text + '"', scenario_, "", &real_);

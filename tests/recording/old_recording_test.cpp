@@ -44,9 +44,8 @@ TEST_F(OldRecording, OpensAndSaysItsStep) {
     EXPECT_TRUE(sentences[0].starts_with("it was recorded by step 1 of mrose; this is step ")) << sentences[0];
 }
 
-/// By the recorded decisions, and also where the controllers decide again, all go where the messages for other programs
-/// say, rounded to the millimetre, until a rover touches the ball: this step solves contacts otherwise. From there on
-/// they go nearly where they went.
+/// By the recorded decisions, and also where the controllers decide again, all go nearly where the messages for other
+/// programs say: this step draws another motion noise, and once a rover touches the ball it solves contacts otherwise.
 TEST_F(OldRecording, GoesWhereItWent) {
     const Timeline& timeline = recording->branches.front().timeline;
     ASSERT_EQ(timeline.last(), 200);
@@ -64,7 +63,7 @@ TEST_F(OldRecording, GoesWhereItWent) {
         const auto played = Playback(*scenario).reach(timeline, tick);
         ASSERT_TRUE(played) << played.error().message();
         const auto bodies = nlohmann::json::parse(message.json);
-        const double allowed = tick < firstTouch ? 0.0006 : 0.02;
+        const double allowed = tick < firstTouch ? 0.005 : 0.02;
         for (const WorldState* const state : {&played->state, static_cast<const WorldState*>(&decided)}) {
             const std::pair<const char*, Pose> reached[] = {
                 {"one", state->robots[0].pose}, {"two", state->robots[1].pose}, {"ball", state->objects[0].pose}};

@@ -68,6 +68,10 @@ TEST(SensorPreset, AMistakeInItIsToldAsItsOwn) {
     EXPECT_THAT(sensorRefusal(named, scanner + "preset = \"other.toml\"\n"), HasSubstr("preset: is not a known key"));
     EXPECT_THAT(sensorRefusal("preset = \"none.toml\"\n"),
                 HasSubstr("sensor[\"s\"].preset: \"none.toml\" was not found"));
+    EXPECT_THAT(
+        sensorRefusal(named, presetHead + "kind = \"sonar\"\ncone_deg = 30\nring = { count = 4, radius_m = 3 }\n"),
+        HasSubstr("sensor[\"s\"].ring: has an element that is at 3.000, 0.000, outside of the robot's shape (the "
+                  "key is of scanner.toml)"));
     EXPECT_THAT(sensorRefusal("preset = \"disc.toml\"\n"), HasSubstr("disc.toml:1:10: format: is \"mrose shape\""));
     EXPECT_THAT(sensorRefusal(named + "beam = 3\n"), HasSubstr("r.toml"));
 }
@@ -85,7 +89,7 @@ TEST(SensorFiles, WhatIsWrongIsOneLineWithFileLineAndKey) {
                 HasSubstr("end_deg: is -10.0"));
     EXPECT_THAT(sensorRefusal(laser + "beams = 1\n"), HasSubstr("and 0 with a single beam alone"));
     EXPECT_THAT(sensorRefusal(laser + "beams = 2\nposition_m = [3.0, 0.0]\n"),
-                HasSubstr("sensor[\"s\"].position_m: is at 3.0, 0.0, outside of the robot's shape"));
+                HasSubstr("sensor[\"s\"].position_m: is at 3.000, 0.000, outside of the robot's shape"));
     EXPECT_THAT(sensorRefusal(laser + "beams = 2\nleast_range_m = 9\n"),
                 HasSubstr("least_range_m: is 9.0; expected 0.0 to 8.0"));
     EXPECT_THAT(sensorRefusal(laser + "beams = 2\nlatency_s = 2\n"),
@@ -96,8 +100,8 @@ TEST(SensorFiles, WhatIsWrongIsOneLineWithFileLineAndKey) {
     EXPECT_THAT(sensorRefusal(sonar + "ring = { count = 65, radius_m = 0.1 }\n"),
                 HasSubstr("ring.count: expected a whole number from 1 to 64"));
     EXPECT_THAT(sensorRefusal(sonar + "ring = { count = 4, radius_m = 3 }\n"),
-                HasSubstr("ring: is at 3.0, 0.0, outside"));
-    EXPECT_THAT(sensorRefusal(sonar + "elements = [{ x_m = 0, y_m = 3 }]\n"), HasSubstr("is at 0.0, 3.0, outside"));
+                HasSubstr("ring: has an element that is at 3.000, 0.000, outside"));
+    EXPECT_THAT(sensorRefusal(sonar + "elements = [{ x_m = 0, y_m = 3 }]\n"), HasSubstr("is at 0.000, 3.000, outside"));
     EXPECT_THAT(sensorRefusal("kind = \"sonar\"\ncone_deg = 190\nring = { count = 4, radius_m = 0.1 }\n"),
                 HasSubstr("cone_deg: is 190.0; expected"));
     EXPECT_THAT(sensorRefusal("kind = \"infrared\"\nring = { count = 4, radius_m = 0.1 }\nrange_m = 0.8\n"),
@@ -140,7 +144,7 @@ TEST(SensorFiles, WhatIsWrongWithALineCameraIsOneLine) {
              {whole + "blobs = [\"ball\", \"ball\"]\n", "sensor[\"s\"].blobs[2]: is there twice: \"ball\""},
              {whole + "least_blob_px = 0\n", "sensor[\"s\"].least_blob_px: expected a whole number from 1 to 4096"},
              {whole + "latency_s = 2\n", "sensor[\"s\"].latency_s: is 2.0; expected 0.0 to 1.0"},
-             {whole + "position_m = [3.0, 0.0]\n", "sensor[\"s\"].position_m: is at 3.0, 0.0, outside"},
+             {whole + "position_m = [3.0, 0.0]\n", "sensor[\"s\"].position_m: is at 3.000, 0.000, outside"},
              {whole + "beams = 3\n", "sensor[\"s\"].beams: is not a known key"}}) {
         EXPECT_THAT(sensorRefusal(keys), HasSubstr(expected));
         EXPECT_THAT(sensorRefusal(keys), testing::MatchesRegex("r.toml:[0-9]+:[0-9]+: [^\n]*"));

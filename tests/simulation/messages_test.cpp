@@ -20,7 +20,9 @@ public:
     Attention attention() const override { return listens_ ? Attention() : Attention::ofItself(); }
     void decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const override {
         auto& memory = as<Memory>(bytes);
-        for (const ReceivedMessage& message : observation.messages()) {
+        if (!listens_)
+            for (const Reading& reading : observation.readings()) memory.received += reading.name == messagesReading;
+        for (const ReceivedMessage& message : listens_ ? observation.messages() : std::span<const ReceivedMessage>()) {
             std::uint64_t told = 0;
             std::memcpy(&told, message.bytes.data(), sizeof told);
             memory.sum += told;

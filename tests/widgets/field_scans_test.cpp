@@ -127,6 +127,8 @@ TEST_F(FieldScansTest, InfraredGlowsWhereSomethingIsNear) {
     EXPECT_GT(strength({x + 0.45, 0}), 3 * strength({x - 0.6, 0}));
     EXPECT_GT(strength({x - 0.6, 0}), 0) << "that it is there is seen, too";
     EXPECT_TRUE(readout(FieldLayer::infrared, {x - 0.6, 0}).startsWith("ir of 1: intensity 0.0"));
+    EXPECT_GT(changed(FieldLayer::infrared, {wallAt - 0.1, 0}, 0.04), 5);
+    EXPECT_EQ(changed(FieldLayer::infrared, {wallAt + 0.15, 0}, 0.1), 0) << "light does not go through walls";
 }
 
 TEST_F(FieldScansTest, PressedBumpersStandOut) {
@@ -140,6 +142,12 @@ TEST_F(FieldScansTest, PressedBumpersStandOut) {
     const Blob pressed = blobOf(painted({FieldLayer::bumpers}), contact);
     ASSERT_GT(pressed.pixels, 20);
     EXPECT_GT(view.toMetres(pressed.middle).x, frame.poseOf(0).x + 0.25) << "at its front";
+    const auto at = [&](double ahead) { return readout(FieldLayer::bumpers, {frame.poseOf(0).x + ahead, 0}); };
+    EXPECT_TRUE(at(0.31).startsWith(QString::fromUtf8("bumper of 1: pressed at 0.0\u00b0, ")))
+        << at(0.31).toStdString();
+    EXPECT_TRUE(at(-0.31).startsWith(QString::fromUtf8("bumper of 1: free at 180.0\u00b0, ")))
+        << at(-0.31).toStdString();
+    EXPECT_EQ(readout(FieldLayer::bumpers, position(frame.poseOf(0))), "");
     const InspectorRow rows = rowOf("bumper");
     ASSERT_EQ(rows.children.size(), 3u);
     EXPECT_EQ(rows.children[1].cells[1], "1");

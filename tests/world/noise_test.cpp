@@ -1,5 +1,6 @@
 #include "world/noise.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -37,6 +38,46 @@ TEST(Noise, NormalDrawsHaveTheMomentsOfANormal) {
     EXPECT_NEAR(sum / n, 0, 4 / std::sqrt(n));
     EXPECT_NEAR(squares / n, 1, 4 * std::sqrt(2.0 / n));
     EXPECT_NEAR(fourths / n, 3, 4 * std::sqrt(96.0 / n));
+}
+
+TEST(Noise, NormalDrawsFillTheCellsOfANormalToItsTails) {
+    constexpr int n = 2'000'000, cells = 82;  // 80 of 0.1, and beyond 4 to either side
+    std::array<double, cells> counts{};
+    double tail = 0, farTail = 0, products = 0, squares = 0;
+    const auto add = [&](double x) {
+        ++counts[static_cast<std::size_t>(std::clamp(std::floor(10 * x) + 41, 0.0, cells - 1.0))];
+        tail += std::abs(x) > 3.66 ? 1 : 0;
+        farTail += std::abs(x) > 4.2 ? 1 : 0;
+    };
+    for (int i = 0; i < n; ++i) {
+        const NoisePair draw = normalPair({6, i, 1, 2});
+        add(draw.first), add(draw.second);
+        products += draw.first * draw.second;
+        squares += draw.first * draw.first * draw.second * draw.second;
+    }
+    double chiSquared = 0;
+    for (int cell = 0; cell < cells; ++cell) {
+        const double low = cell == 0 ? 0 : normalProbability(0.1 * (cell - 41));
+        const double high = cell == cells - 1 ? 1 : normalProbability(0.1 * (cell - 40));
+        const double expected = 2 * n * (high - low);
+        chiSquared += std::pow(counts[static_cast<std::size_t>(cell)] - expected, 2) / expected;
+    }
+    EXPECT_LT(chiSquared, 126.1);  // 99.9 % of chi squared with 81 degrees of freedom
+    const auto expectCount = [&](double count, double beyond) {
+        const double expected = 2 * n * 2 * (1 - normalProbability(beyond));
+        EXPECT_NEAR(count, expected, 4.5 * std::sqrt(expected)) << beyond;
+    };
+    expectCount(tail, 3.66);
+    expectCount(farTail, 4.2);
+    EXPECT_NEAR(products / n, 0, 4.5 / std::sqrt(n)) << "independent";
+    EXPECT_NEAR(squares / n, 1, 4.5 * std::sqrt(8.0 / n)) << "likewise";
+}
+
+TEST(Noise, PairsFirstIsTheNormalOfItsKey) {
+    for (int i = 0; i < 10'000; ++i) {
+        const NoiseKey key{6, i, 1, 2};
+        ASSERT_EQ(normalPair(key).first, normalNoise(key));
+    }
 }
 
 TEST(Noise, UniformDrawsFillTheUnitIntervalEvenly) {

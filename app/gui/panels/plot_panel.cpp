@@ -200,7 +200,9 @@ Expected<void> PlotPanel::add(const ValueKey& key) {
 }
 
 Expected<void> PlotPanel::addExpression(const QString& text) {
-    Expected<void> added = add({expressionQuantity, {}, text.trimmed().toStdString()});
+    const std::string typed = text.trimmed().toStdString();
+    const std::optional<ValueKey> plain = shown_ ? keyOfPath(*shown_->frame->scenario, typed) : std::nullopt;
+    Expected<void> added = add(plain.value_or(ValueKey{expressionQuantity, {}, typed}));
     error_->setVisible(!added);
     if (added) return added;
     const QString message = qtText(added.error().message());

@@ -53,6 +53,9 @@ public:
         if (how_ == "crash when asked to explain") *nowhere = 1;
         return {};
     }
+    mrose::Attention attention() const override {
+        return how_.starts_with("unasked") ? mrose::Attention::ofItself() : mrose::Attention{};
+    }
     void start(std::span<std::byte>) const override {
         if (how_ == "start") throw std::runtime_error("not now");
     }
@@ -69,6 +72,8 @@ public:
         if (how_ == "huge w") decision.command->w = -1e200;
         if (how_ == "huge earlier") decision.earlier.push_back({0, {0, 1001}});
         if (how_ == "infinite earlier") decision.earlier.push_back({0, {INFINITY, 0}});
+        if (how_ == "unasked robots") decision.command->v = static_cast<double>(observation.robots().size());
+        if (how_ == "unasked scan") decision.command->v = observation.newest("scan") != nullptr ? 1 : 0;
         if (how_ == "loop") loop();
         if (how_ == "slow") ::usleep(60'000);
         if (how_ == "print") std::fputs("what it prints\n", stdout), std::fflush(stdout);

@@ -27,7 +27,9 @@ public:
     std::size_t commandsPerPeriod(mrose::Nanoseconds period) const override {
         return static_cast<std::size_t>(period / 50'000'000);
     }
-    mrose::Attention attention() const override { return mrose::Attention::only({"self", "odometry", "robots"}); }
+    mrose::Attention attention() const override {
+        return mrose::Attention::only({"self", "odometry", "robots", "messages"});
+    }
 
     std::vector<mrose::MemoryEntry> explain(std::span<const std::byte> memory) const override {
         const auto& known = mrose::as<Memory>(memory);

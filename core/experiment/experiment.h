@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiment/experiment_file.h"
+#include "experiment/results_file.h"
+#include "experiment/run.h"
+#include "io/error.h"
+#include "io/progress.h"
+
+namespace mrose {
+
+struct ExperimentOptions {
+    ScenarioLoading loading = {};
+    /// What reruns the experiment's trials; " --trial 3 --seed 7" follows.
+    std::string command = "mrose run", window = "mrose-gui";
+    /// What all rows depend on. A folder with results of another identity is refused.
+    BatchIdentity identity;
+    std::function<void(const RunKey&)> begins = {};                          ///< as of BatchOptions
+    std::function<void(std::int64_t done, std::int64_t all)> progress = {};  ///< likewise
+    GoesOn goesOn = {};                                                      ///< likewise
+};
+
+/// What the runs of a variant have of a feature or a measure.
+struct MeasureSummary {
+    std::string name;
+    std::int64_t count = 0;  ///< of those that have a number
+    double mean = 0, deviation = 0, least = 0, most = 0;
+};
+
+struct VariantSummary {
+    std::string name;
+    std::int64_t runs = 0;
+    std::int64_t ended = 0;   ///< by `until`
+    std::int64_t faulty = 0;  ///< by a fault
+    std::vector<MeasureSummary> measures;
+};
+
+struct ExperimentSummary {
+    std::int64_t runs = 0;     ///< in all
+    std::int64_t resumed = 0;  ///< of them found done
+    std::int64_t done = 0;     ///< now
+    std::vector<VariantSummary> variants;
+    bool complete = false;  ///< results.csv is there
+};
+
+/// How often a run of a trial is looked at, in its ticks.
+std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene);
+
+/// Runs what is not done yet, each trial with each seed by each variant. A row is kept at once in
+/// `folder`/results.part.csv; when all are done, results.csv has them in order. It is the same for any number of
+/// threads. A run ends by `until`, at a fault, or after the experiment's duration; what was wrong is in its row. Error:
+/// of the expressions and of what trials are made of, before the first run; as of runBatch().
+Expected<ExperimentSummary> runExperiment(const Experiment& experiment, const ExperimentOptions& options,
+                                          const std::filesystem::path& folder);
+
+}  // namespace mrose

@@ -1,0 +1,268 @@
+#include "experiment/experiment_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <set>
+
+#include "scenario/description_library.h"
+#include "scenario/description_reader.h"
+#include "scenario/value_file.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::int64_t mostTrials = 10'000'000, mostSeeds = 1'000'000, mostChoices = 1000;
+constexpr std::array measureWords{std::string_view("least"),   std::string_view("most"),  std::string_view("mean"),
+                                  std::string_view("seconds"), std::string_view("times"), std::string_view("first")};
+
+class ExperimentReader {
+public:
+    ExperimentReader(const Value::File& file, DescriptionSource& source, const ScenarioLoading& loading)
+        : file_(file),
+          source_(source),
+          library_(source),
+          loading_(loading),
+          root_(openDescription(file->content, library_.shown(file->name), DescriptionKind::experiment)) {}
+
+    Expected<Experiment> read() {
+        experiment_.file = library_.shown(file_->name);
+        experiment_.name = name(root_, "name");
+        readScenario();
+        if (root_.failed()) return tl::unexpected(root_.error());
+        readRuns();
+        for (TomlTable& table : root_.tablesOrNone("draw"))
+            if (!root_.failed()) readDraw(table);
+        for (TomlTable& table : root_.tablesOrNone("variant"))
+            if (!root_.failed()) readVariant(table);
+        if (experiment_.variants.empty()) experiment_.variants.emplace_back();
+        readFeatures();
+        readMeasures();
+        root_.rejectUnknown();
+        if (root_.failed()) return tl::unexpected(root_.error());
+        return std::move(experiment_);
+    }
+
+private:
+    void readScenario() {
+        const Value::File file =
+            library_.file(root_, "scenario", file_->name, "resources/scenarios", DescriptionLibrary::Holds::tables);
+        if (!file) return;
+        const auto value = scenarioOf(file, library_.shown(file->name));
+        if (!value) return root_.adopt(value.error());
+        resolve(*value);
+    }
+    void resolve(const ScenarioValue& value) {
+        auto loaded = loadScenario(value, library_, loading_);
+        if (!loaded) return root_.adopt(loaded.error());
+        experiment_.scenario = std::move(loaded->value);
+        duration_ = loaded->parts.duration;
+        tick_ = loaded->parts.scene.tickLength;
+    }
+
+    void readRuns() {
+        experiment_.trials = static_cast<std::uint32_t>(root_.integer("trials", 1, mostTrials));
+        experiment_.seed = static_cast<std::uint64_t>(root_.integerOr("seed", 1, 0, std::int64_t{1} << 52));
+        experiment_.seeds = static_cast<std::uint32_t>(root_.integerOr("seeds", 1, 1, mostSeeds));
+        const Nanoseconds duration = durationOr(root_, "duration_s", duration_, {0.001, 1e6});
+        experiment_.every = durationOr(root_, "every_s", 0, {0.001, 1000});
+        if (experiment_.every % tick_ != 0) root_.reject("every_s", "expected whole ticks of the scenario");
+        if (root_.has("require")) experiment_.require = expression(root_, "require");
+        if (root_.has("until")) experiment_.until = expression(root_, "until");
+        if (root_.failed()) return;
+        set(root_, "duration_s", "duration_s", toSeconds(duration));
+        set(root_, "seed", "seed", static_cast<std::int64_t>(experiment_.seed));
+    }
+
+    FileExpression expression(TomlTable& table, std::string_view key, const std::string& within = {}) {
+        const Value* const value = table.value(key);
+        FileExpression result{table.string(key), within + std::string(key), 0, 0};
+        if (value != nullptr) result.line = value->line, result.column = value->column;
+        if (!table.failed() && result.empty()) table.reject(key, "expected an expression");
+        return result;
+    }
+
+    /// A name that columns and expressions have.
+    bool plain(const std::string& name) const {
+        return !name.empty() && name.size() <= 40 && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
+               std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+    }
+
+    void readDraw(TomlTable& table) {
+        Draw draw;
+        draw.name = table.string("name");
+        if (!table.failed() && !plain(draw.name)) table.reject("name", "expected letters, digits and _, at most 40");
+        if (!names_.insert(draw.name).second) table.reject("name", "is the name of another draw, too");
+        if (table.has("path")) {
+            const Value* const path = table.value("path");
+            if (path->asArray() != nullptr)
+                draw.paths = table.strings("path");
+            else
+                draw.paths = {table.string("path")};
+        }
+        readDistribution(table, draw);
+        table.rejectUnknown();
+        if (root_.failed()) return;
+        for (const std::string& path : draw.paths) checkPath(table, path);
+        experiment_.draws.push_back(std::move(draw));
+    }
+
+    void readDistribution(TomlTable& table, Draw& draw) {
+        if (table.has("bodies")) {
+            draw.kind = Draw::Kind::bodies;
+            draw.bodies = table.strings("bodies");
+            const auto count = static_cast<std::int64_t>(draw.bodies.size());
+            draw.least = static_cast<double>(table.integerOr("from", 0, 0, count));
+            draw.most = static_cast<double>(table.integerOr("to", count, 0, count));
+            for (std::size_t i = 0; i < draw.bodies.size(); ++i)
+                if (experiment_.scenario.bodyPath(draw.bodies[i]).empty())
+                    table.rejectElement("bodies", i, "is the name of no body in the scenario");
+            if (!draw.paths.empty()) table.reject("path", "is for numbers; expected none beside `bodies`");
+        } else if (table.has("of")) {
+            draw.kind = Draw::Kind::choice;
+            const Value* const of = table.value("of");
+            const Value::Array* const choices = of != nullptr ? of->asArray() : nullptr;
+            if (choices == nullptr || choices->empty() || choices->size() > mostChoices)
+                return table.reject("of", "expected an array of 1 to 1000 values");
+            draw.choices = *choices;
+        } else if (table.has("value")) {
+            draw.kind = Draw::Kind::computed;
+            draw.expression = expression(table, "value", "draw[\"" + draw.name + "\"].");
+        } else if (table.has("mean")) {
+            draw.kind = Draw::Kind::normal;
+            draw.mean = table.number("mean");
+            draw.deviation = table.number("deviation", {0, 1e9});
+            draw.least = table.numberOr("least", -std::numeric_limits<double>::infinity());
+            draw.most = table.numberOr("most", std::numeric_limits<double>::infinity());
+            if (!(draw.least <= draw.mean && draw.mean <= draw.most))
+                table.reject("mean", "expected one between `least` and `most`");
+        } else {
+            if (!table.has("from") && !table.has("to"))
+                return table.reject(
+                    "name",
+                    "says nothing of what is drawn; expected `from` and `to`, `mean` and `deviation`, `of`, "
+                    "`value` or `bodies`");
+            draw.least = table.number("from");
+            draw.most = table.number("to");
+            draw.whole = table.booleanOr("whole", false);
+            if (draw.most < draw.least) table.reject("to", "is less than `from`");
+            if (draw.whole && (std::floor(draw.least) != draw.least || std::floor(draw.most) != draw.most))
+                table.reject("whole", "expected whole numbers `from` and `to`");
+        }
+        resolveChoices(table, draw);
+    }
+
+    /// The scenario with a value somewhere, checked; what it names is held by it from then on.
+    Value set(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
+        auto changed = experiment_.scenario.with(path, value);
+        if (!changed) return table.reject(key, path + ": " + changed.error().cause), value;
+        ScenarioLoading loading = loading_;
+        loading.checkStarts = false;
+        const auto loaded = loadScenario(*changed, library_, loading);
+        if (!loaded) return table.reject(key, loaded.error().message()), value;
+        const Value* const there = loaded->value.at(path);
+        if (&table == &root_) experiment_.scenario = loaded->value;
+        return there != nullptr ? *there : value;
+    }
+    void resolveChoices(TomlTable& table, Draw& draw) {
+        for (Value& choice : draw.choices)
+            for (const std::string& path : draw.paths)
+                if (!root_.failed()) choice = set(table, "of", path, choice);
+    }
+    /// What is drawn there must be known: a key that is misspelt changes nothing.
+    void checkPath(TomlTable& table, const std::string& path) {
+        if (const auto changed = experiment_.scenario.with(path, 0.0); !changed)
+            table.reject("path", path + ": " + changed.error().cause);
+    }
+
+    void readVariant(TomlTable& table) {
+        Variant variant;
+        variant.name = name(table, "name");
+        const bool taken =
+            std::ranges::any_of(experiment_.variants, [&](const Variant& other) { return other.name == variant.name; });
+        if (taken) table.reject("name", "is the name of another variant, too");
+        TomlTable sets = table.tableOrEmpty("set");
+        const Value* const named = table.has("set") ? table.value("set") : nullptr;
+        if (named != nullptr && named->asTable() != nullptr)
+            for (const auto& [path, value] : *named->asTable()) {
+                sets.value(path);
+                variant.set.emplace_back(path, root_.failed() ? value : set(sets, path, path, value));
+            }
+        table.rejectUnknown();
+        experiment_.variants.push_back(std::move(variant));
+    }
+
+    std::vector<std::string> keysOf(std::string_view key) {
+        std::vector<std::string> keys;
+        const Value* const value = root_.has(key) ? root_.value(key) : nullptr;
+        if (value == nullptr || value->asTable() == nullptr) return keys;
+        std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::string>> placed;
+        for (const auto& [name, node] : *value->asTable()) placed.push_back({{node.line, node.column}, name});
+        std::sort(placed.begin(), placed.end());  // as they are written
+        for (auto& [place, name] : placed) keys.push_back(std::move(name));
+        return keys;
+    }
+    void readFeatures() {
+        TomlTable table = root_.tableOrEmpty("features");
+        for (const std::string& key : keysOf("features")) {
+            if (!plain(key)) table.reject(key, "expected a name of letters, digits and _, at most 40");
+            experiment_.features.push_back(expression(table, key));
+        }
+    }
+    void readMeasures() {
+        TomlTable table = root_.tableOrEmpty("measures");
+        for (const std::string& key : keysOf("measures")) {
+            if (!plain(key)) table.reject(key, "expected a name of letters, digits and _, at most 40");
+            Measure measure{key, Measure::Of::end, {}};
+            const Value* const value = table.value(key);
+            if (value == nullptr || value->asTable() == nullptr) {
+                measure.expression = expression(table, key);
+            } else {
+                TomlTable of = table.table(key);
+                std::size_t there = 0, word = 0;
+                for (std::size_t i = 0; i < measureWords.size(); ++i)
+                    if (of.has(measureWords[i])) ++there, word = i;
+                if (there != 1)
+                    table.reject(key, "expected one of `least`, `most`, `mean`, `seconds`, `times`, `first`");
+                measure.of = static_cast<Measure::Of>(word + 1);
+                if (there == 1) measure.expression = expression(of, measureWords[word], key + '.');
+                of.rejectUnknown();
+            }
+            experiment_.measures.push_back(std::move(measure));
+        }
+    }
+
+    Value::File file_;
+    DescriptionSource& source_;
+    DescriptionLibrary library_;
+    const ScenarioLoading& loading_;
+    TomlTable root_;
+    Experiment experiment_;
+    Nanoseconds duration_ = 0, tick_ = 1;
+    std::set<std::string> names_;
+};
+
+}  // namespace
+
+Error FileExpression::placed(Error inText, const std::string& file) const {
+    const bool first = inText.line <= 1;
+    // Of a text in quotation marks on one line.
+    const int before = first ? static_cast<int>(column) : 0;
+    inText.column = inText.column > 0 ? before + inText.column : static_cast<int>(column);
+    inText.line = static_cast<int>(line) + std::max(0, inText.line - 1);
+    inText.file = file;
+    inText.key = key;
+    return inText;
+}
+
+Expected<Experiment> readExperiment(const Value::File& file, DescriptionSource& source,
+                                    const ScenarioLoading& loading) {
+    return ExperimentReader(file, source, loading).read();
+}
+
+bool isExperiment(const Value& content) {
+    const auto kind = descriptionKind(content, "");
+    return kind && *kind == DescriptionKind::experiment;
+}
+
+}  // namespace mrose

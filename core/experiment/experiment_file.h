@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/error.h"
+#include "io/value.h"
+#include "scenario/description_source.h"
+#include "scenario/scenario_file.h"
+#include "world/time.h"
+
+namespace mrose {
+
+/// An expression (condition/README.md) of a file, and where it stands there.
+struct FileExpression {
+    std::string text, key;
+    std::uint32_t line = 0, column = 0;
+
+    bool empty() const { return text.empty(); }
+    /// What is wrong within the text, said of the file.
+    Error placed(Error inText, const std::string& file) const;
+};
+
+/// What differs from trial to trial.
+struct Draw {
+    enum class Kind {
+        uniform,   ///< from `least` to `most`
+        normal,    ///< of `mean` and `deviation`, drawn again until it is within `least` to `most`
+        choice,    ///< one of `choices`, each as likely
+        computed,  ///< what `expression` gives, of draws above it
+        bodies     ///< how many of `bodies`, from the first on, there are: from `least` to `most`
+    };
+    std::string name;
+    Kind kind = Kind::uniform;
+    std::vector<std::string> paths;  ///< of the scenario's value: where it is put
+    double least = 0, most = 0, mean = 0, deviation = 0;
+    bool whole = false;  ///< of uniform ones: whole numbers, the ends among them
+    std::vector<Value> choices;
+    FileExpression expression;
+    std::vector<std::string> bodies;
+};
+
+/// A number that a trial gives, by an expression.
+struct Measure {
+    enum class Of {
+        end,      ///< as it is at the trial's end
+        least,    ///< over the trial, as it is looked at
+        most,     ///< likewise
+        mean,     ///< likewise
+        seconds,  ///< for how long it holds
+        times,    ///< how often it begins to hold
+        first     ///< s, when it holds first; NaN: never
+    };
+    std::string name;
+    Of of = Of::end;
+    FileExpression expression;
+};
+
+/// Another way to do the same trials: what it sets in the scenario, after all draws.
+struct Variant {
+    std::string name;
+    std::vector<std::pair<std::string, Value>> set;
+};
+
+/// Many trials of a scenario: what varies, what is asked at their starts, when they end, and what is measured
+/// (resources/experiments/README.md).
+struct Experiment {
+    std::string file, name;
+    ScenarioValue scenario;  ///< with all that it and the draws' choices name
+    std::uint32_t trials = 0;
+    std::uint64_t seed = 0;   ///< of the draws, and of the first run of each trial
+    std::uint32_t seeds = 1;  ///< runs of each trial, with one seed after the other
+    Nanoseconds every = 0;    ///< how often a trial is looked at; a tick where it is 0
+    FileExpression require, until;
+    std::vector<Draw> draws;
+    std::vector<Variant> variants;  ///< at least one; without any in the file one without a name
+    std::vector<FileExpression> features;
+    std::vector<Measure> measures;
+};
+
+/// Error: file, line, column and key of the first thing wrong, in the scenario too. What expressions say is not looked
+/// at.
+Expected<Experiment> readExperiment(const Value::File& file, DescriptionSource& source,
+                                    const ScenarioLoading& loading = {});
+/// Whether a description is one.
+bool isExperiment(const Value& content);
+
+}  // namespace mrose

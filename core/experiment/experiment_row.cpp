@@ -1,0 +1,88 @@
+#include "experiment/experiment_row.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "experiment/results_row.h"
+#include "io/format.h"
+#include "world/seconds_text.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::size_t experimentEndCell = 4, firstDrawCell = 6;
+
+std::string drawnText(const Value& value) {
+    if (const double* const number = value.asFloat()) return numberText(*number);
+    if (const std::int64_t* const whole = value.asInteger()) return std::to_string(*whole);
+    if (const bool* const truth = value.asBoolean()) return *truth ? "true" : "false";
+    if (const std::string* const text = value.asText()) return csvCell(*text);
+    if (const DescriptionFile* const file = value.asFile()) return csvCell(file->reference);
+    return "";
+}
+
+void add(MeasureSummary& summary, double value) {
+    if (!std::isfinite(value)) return;
+    ++summary.count;
+    summary.least = summary.count == 1 ? value : std::min(summary.least, value);
+    summary.most = summary.count == 1 ? value : std::max(summary.most, value);
+    const double off = value - summary.mean;
+    summary.mean += off / static_cast<double>(summary.count);
+    summary.deviation += off * (value - summary.mean);  // a sum of squares, for now
+}
+
+}  // namespace
+
+std::string experimentHeader(const Experiment& experiment) {
+    std::string line = "trial,seed,variant,variant_name,end,time_s";
+    for (const Draw& draw : experiment.draws) line += ",draw." + draw.name;
+    for (const FileExpression& feature : experiment.features) line += ",feature." + feature.key;
+    for (const Measure& measure : experiment.measures) line += ",measure." + measure.name;
+    return line + ",world_hash,command,window,fault";
+}
+
+std::string experimentRow(const Experiment& experiment, const RunKey& key, const DrawnValues& drawn,
+                          const TrialMeasurement& measurement, const RunResult& result, Nanoseconds tick,
+                          const RunCommands& commands) {
+    const std::string time = plainSeconds(result.state.tick * tick);
+    std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + std::to_string(key.variant) +
+                       ',' + csvCell(experiment.variants[key.variant - 1].name) + ',' + name(result.end) + ',' + time;
+    for (const DrawnValue& one : drawn) line += ',' + drawnText(one.value);
+    for (const double feature : measurement.features()) line += ',' + numberText(feature);
+    for (const double measure : measurement.measures()) line += ',' + numberText(measure);
+    return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + csvCell(commands.alone) + ',' +
+           csvCell(commands.window + " --at " + time) + ',' + csvCell(result.statistics.firstFault);
+}
+
+std::vector<VariantSummary> summarised(const Experiment& experiment, const std::map<RunKey, std::string>& rows) {
+    std::vector<VariantSummary> summaries;
+    for (const Variant& variant : experiment.variants) {
+        VariantSummary& summary = summaries.emplace_back();
+        summary.name = variant.name;
+        for (const FileExpression& feature : experiment.features) summary.measures.push_back({feature.key});
+        for (const Measure& measure : experiment.measures) summary.measures.push_back({measure.name});
+    }
+    for (const auto& [key, row] : rows) {
+        const std::vector<std::string> cells = resultsCells(row);
+        VariantSummary& summary = summaries[key.variant - 1];
+        const std::size_t first = firstDrawCell + experiment.draws.size();
+        if (cells.size() < first + summary.measures.size()) continue;
+        ++summary.runs;
+        summary.ended += cells[experimentEndCell] == name(RunEnd::condition) ? 1 : 0;
+        summary.faulty += cells[experimentEndCell] == name(RunEnd::fault) ? 1 : 0;
+        for (std::size_t i = 0; i < summary.measures.size(); ++i) {
+            double value = std::nan("");
+            const std::string& cell = cells[first + i];
+            std::from_chars(cell.data(), cell.data() + cell.size(), value);
+            add(summary.measures[i], value);
+        }
+    }
+    for (VariantSummary& summary : summaries)
+        for (MeasureSummary& measure : summary.measures)
+            measure.deviation =
+                measure.count > 1 ? std::sqrt(measure.deviation / static_cast<double>(measure.count - 1)) : 0;
+    return summaries;
+}
+
+}  // namespace mrose

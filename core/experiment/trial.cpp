@@ -1,0 +1,155 @@
+#include "experiment/trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/start_check.h"
+#include "world/noise.h"
+#include "world/noise_channel.h"
+
+namespace mrose {
+namespace {
+
+constexpr int mostDraws = 100;
+constexpr std::uint32_t mostNormalDraws = 1000;
+/// So that an experiment's draws are none of a batch's, nor a run's noise.
+constexpr std::uint64_t drawSeed = 0x6578706572696d65;
+
+double within(const Draw& draw, double u) {
+    if (!draw.whole && draw.kind != Draw::Kind::bodies) return draw.least + u * (draw.most - draw.least);
+    return draw.least + std::floor(u * (draw.most - draw.least + 1));
+}
+
+std::string who(std::uint32_t number) { return " (trial " + std::to_string(number) + ')'; }
+
+}  // namespace
+
+TrialMaker::TrialMaker(const Experiment& experiment, TrialExpressions& expressions, ScenarioLoading loading)
+    : experiment_(experiment),
+      expressions_(expressions),
+      loading_(std::move(loading)),
+      computed_(experiment.draws.size()) {
+    loading_.checkStarts = false;
+}
+
+Expected<Value> TrialMaker::valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,
+                                    const DrawnValues& drawn) {
+    NoiseKey key{experiment_.seed ^ drawSeed, attempt, number, channelOf(NoiseChannel::trial, index)};
+    switch (draw.kind) {
+        case Draw::Kind::uniform:
+        case Draw::Kind::bodies:
+            return Value(within(draw, uniformNoise(key)));
+        case Draw::Kind::choice:
+            return draw.choices[static_cast<std::size_t>(uniformNoise(key) * static_cast<double>(draw.choices.size()))];
+        case Draw::Kind::normal:
+            for (std::uint32_t times = 0; times < mostNormalDraws; ++times, key.tick += mostDraws) {
+                const double value = draw.mean + draw.deviation * normalNoise(key);
+                if (value >= draw.least && value <= draw.most) return Value(value);
+            }
+            return fail(experiment_.file, "a thousand normal draws were outside of `least` to `most`" + who(number), 0,
+                        "draw[\"" + draw.name + "\"]");
+        case Draw::Kind::computed:
+            break;
+    }
+    if (!base_) {
+        auto loaded = loadScenario(experiment_.scenario, library_, loading_);
+        if (!loaded) return tl::unexpected(loaded.error());
+        base_.emplace(std::move(loaded->parts));
+    }
+    const WorldState start = base_->initialState();
+    const Moment moment{.scenario = &*base_, .state = &start, .drawn = &drawn};
+    std::optional<WorldValue>& computed = computed_[index];
+    if (!computed) {
+        auto compiled = compileWorldValue(draw.expression.text, *base_, "", nullptr, &drawn);
+        if (!compiled) return tl::unexpected(draw.expression.placed(compiled.error(), experiment_.file));
+        computed.emplace(std::move(*compiled));
+    }
+    const auto value = computed->value(moment);
+    if (!value) return tl::unexpected(draw.expression.placed(value.error(), experiment_.file));
+    return Value(*value);
+}
+
+Expected<DrawnValues> TrialMaker::draw(std::uint32_t number, int attempt) {
+    DrawnValues drawn;
+    for (std::uint32_t i = 0; i < experiment_.draws.size(); ++i) {
+        auto value = valueOf(experiment_.draws[i], i, number, attempt, drawn);
+        if (!value) return tl::unexpected(value.error());
+        drawn.push_back({experiment_.draws[i].name, std::move(*value)});
+    }
+    return drawn;
+}
+
+Expected<ScenarioValue> TrialMaker::drawnScenario(const DrawnValues& drawn) const {
+    ScenarioValue value = experiment_.scenario;
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        for (const std::string& path : experiment_.draws[i].paths) {
+            auto changed = value.with(path, drawn[i].value);
+            if (!changed) return tl::unexpected(changed.error());
+            value = std::move(*changed);
+        }
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Draw& draw = experiment_.draws[i];
+        if (draw.kind != Draw::Kind::bodies) continue;
+        for (auto k = static_cast<std::size_t>(*drawn[i].value.asFloat()); k < draw.bodies.size(); ++k)
+            value = value.without(value.bodyPath(draw.bodies[k]));
+    }
+    return value;
+}
+
+Expected<std::optional<LoadedScenario>> TrialMaker::scenarioOf(const ScenarioValue& value) {
+    auto loaded = loadScenario(value, library_, loading_);
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (findStartOverlap(loaded->parts.scene)) return std::optional<LoadedScenario>();
+    return std::optional<LoadedScenario>(std::move(*loaded));
+}
+
+Expected<bool> TrialMaker::isWanted(const LoadedScenario& loaded, const DrawnValues& drawn) {
+    if (experiment_.require.empty()) return true;
+    const Scenario scenario(loaded.parts);
+    const WorldState start = scenario.initialState();
+    const Moment moment{.scenario = &scenario, .state = &start, .drawn = &drawn};
+    const auto compiled = expressions_.of(moment);
+    if (!compiled) return tl::unexpected(compiled.error());
+    auto holds = (*compiled)->require->holds(moment);
+    if (!holds) return tl::unexpected(experiment_.require.placed(holds.error(), experiment_.file));
+    return *holds;
+}
+
+Expected<Trial> TrialMaker::make(std::uint32_t number) {
+    for (int attempt = 0; attempt < mostDraws; ++attempt) {
+        auto drawn = draw(number, attempt);
+        if (!drawn) return tl::unexpected(drawn.error());
+        const auto value = drawnScenario(*drawn);
+        if (!value) return tl::unexpected(value.error());
+        Trial trial{std::move(*drawn), {}};
+        bool wanted = true;
+        for (const Variant& variant : experiment_.variants) {
+            ScenarioValue varied = *value;
+            for (const auto& [path, set] : variant.set) {
+                auto changed = varied.with(path, set);
+                if (!changed) return tl::unexpected(changed.error());
+                varied = std::move(*changed);
+            }
+            auto loaded = scenarioOf(varied);
+            if (!loaded) {
+                Error error = loaded.error();
+                error.cause += who(number);
+                return tl::unexpected(error);
+            }
+            if (!*loaded) wanted = false;
+            if (wanted && &variant == experiment_.variants.data()) {
+                const auto asked = isWanted(**loaded, trial.drawn);
+                if (!asked) return tl::unexpected(asked.error());
+                wanted = *asked;
+            }
+            if (!wanted) break;
+            trial.scenarios.push_back(std::move(**loaded));
+        }
+        if (wanted) return trial;
+    }
+    return fail(experiment_.file,
+                "in a hundred draws of trial " + std::to_string(number) +
+                    " bodies overlapped, or what is required did not hold; expected ranges with room");
+}
+
+}  // namespace mrose

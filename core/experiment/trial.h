@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "condition/condition.h"
+#include "experiment/experiment_file.h"
+#include "experiment/trial_expressions.h"
+#include "quantities/drawn_values.h"
+#include "scenario/description_library.h"
+
+namespace mrose {
+
+/// One trial of an experiment: what was drawn for it, and the scenario of each variant.
+struct Trial {
+    DrawnValues drawn;
+    std::vector<LoadedScenario> scenarios;
+};
+
+/// Makes the trials of an experiment, each the same whoever makes it and in whatever order. For one thread: it keeps
+/// what shapes, networks and expressions were read.
+class TrialMaker {
+public:
+    /// The experiment and its expressions must stay where they are.
+    TrialMaker(const Experiment& experiment, TrialExpressions& expressions, ScenarioLoading loading);
+
+    /// `number` counts from 1. Where bodies would overlap in a variant, or what the experiment requires does not hold
+    /// in the first, it is drawn anew. Error: a hundred draws were such; what is wrong in the scenario that a draw
+    /// makes, or in an expression.
+    Expected<Trial> make(std::uint32_t number);
+
+private:
+    Expected<DrawnValues> draw(std::uint32_t number, int attempt);
+    Expected<Value> valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,
+                            const DrawnValues& drawn);
+    Expected<ScenarioValue> drawnScenario(const DrawnValues& drawn) const;
+    /// nullopt: bodies overlap.
+    Expected<std::optional<LoadedScenario>> scenarioOf(const ScenarioValue& value);
+    Expected<bool> isWanted(const LoadedScenario& loaded, const DrawnValues& drawn);
+
+    const Experiment& experiment_;
+    TrialExpressions& expressions_;
+    ScenarioLoading loading_;
+    NoDescriptions none_;
+    DescriptionLibrary library_{none_};
+    std::optional<Scenario> base_;  ///< as written: what computed draws may ask
+    std::vector<std::optional<WorldValue>> computed_;
+};
+
+}  // namespace mrose

@@ -1,0 +1,156 @@
+#include "experiment/trial_expressions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "condition/lua_paths.h"
+#include "io/text_position.h"
+#include "quantities/part.h"
+#include "quantities/value_key.h"
+
+namespace mrose {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
+std::string signatureOf(const Scene& scene) {
+    std::string signature;
+    for (const SceneRobot& robot : scene.robots) signature += robot.name + '\n';
+    signature += '\n';
+    for (const SceneObject& object : scene.objects) signature += object.name + '\n';
+    signature += '\n';
+    for (const Goal& goal : scene.environment.goals) signature += goal.name + '\n';
+    return signature;
+}
+
+std::vector<const FileExpression*> allOf(const Experiment& experiment) {
+    std::vector<const FileExpression*> all{&experiment.require, &experiment.until};
+    for (const FileExpression& feature : experiment.features) all.push_back(&feature);
+    for (const Measure& measure : experiment.measures) all.push_back(&measure.expression);
+    return all;
+}
+
+/// What controllers and motion models remember is known by what they explain at the start: a misspelt entry would be
+/// NaN throughout.
+Expected<void> checkEntries(const FileExpression& expression, const Moment& start, const std::string& file) {
+    for (const LuaPath& path : luaPaths(expression.text)) {
+        const auto key = keyOfPath(*start.scenario, std::string(path.text));
+        const auto value = key ? boundValue(*start.scenario, *key) : Expected<BoundValue>(fail("", ""));
+        if (!value || value->quantity != &partQuantity() || value->other >= firstSensorPart) continue;
+        const std::vector<MemoryEntry> entries = partEntries(start, value->body, value->other);
+        if (std::ranges::any_of(entries, [&](const MemoryEntry& entry) { return entry.name == value->item; })) continue;
+        std::string names;
+        for (const MemoryEntry& entry : entries) names += (names.empty() ? "'" : ", '") + entry.name + '\'';
+        const TextPosition where = positionIn(expression.text, path.offset + path.parts.back().begin);
+        const Error error{
+            "", where.line, where.column, "",
+            "there is no '" + value->item + "' in '" + key->quantity + "': it has " + (names.empty() ? "none" : names)};
+        return tl::unexpected(expression.placed(error, file));
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<CompiledExpressions*> TrialExpressions::of(const Moment& start) {
+    const std::string signature = signatureOf(start.scene());
+    auto found = compiled_.find(signature);
+    if (found == compiled_.end()) {
+        auto all = compiled(start);
+        if (!all) return tl::unexpected(all.error());
+        found = compiled_.emplace(signature, std::move(*all)).first;
+    }
+    return &found->second;
+}
+
+Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) const {
+    CompiledExpressions all;
+    const Scenario& scenario = *start.scenario;
+    const auto condition = [&](const FileExpression& expression, std::optional<Condition>& result) -> Expected<void> {
+        if (expression.empty()) return {};
+        auto one = compileCondition(expression.text, scenario, "", nullptr, start.drawn);
+        if (!one) return tl::unexpected(expression.placed(one.error(), experiment_.file));
+        result.emplace(std::move(*one));
+        return {};
+    };
+    const auto value = [&](const FileExpression& expression, std::vector<WorldValue>& values) -> Expected<void> {
+        auto one = compileWorldValue(expression.text, scenario, "", nullptr, start.drawn);
+        if (!one) return tl::unexpected(expression.placed(one.error(), experiment_.file));
+        values.push_back(std::move(*one));
+        return {};
+    };
+    Expected<void> done = condition(experiment_.require, all.require);
+    if (done) done = condition(experiment_.until, all.until);
+    for (const FileExpression& feature : experiment_.features)
+        if (done) done = value(feature, all.features);
+    for (const Measure& measure : experiment_.measures)
+        if (done) done = value(measure.expression, all.measures);
+    for (const FileExpression* one : allOf(experiment_))
+        if (done) done = checkEntries(*one, start, experiment_.file);
+    if (!done) return tl::unexpected(done.error());
+    all.follows = readsInsights(experiment_.until.text, scenario) ||
+                  std::ranges::any_of(experiment_.measures, [&](const Measure& measure) {
+                      return readsInsights(measure.expression.text, scenario);
+                  });
+    return all;
+}
+
+Expected<void> TrialMeasurement::begin(const Moment& start) {
+    features_.clear();
+    looks_ = 0;
+    for (std::size_t i = 0; i < expressions_.features.size(); ++i) {
+        const auto value = expressions_.features[i].value(start);
+        if (!value) return tl::unexpected(experiment_.features[i].placed(value.error(), experiment_.file));
+        features_.push_back(*value);
+    }
+    measures_.assign(experiment_.measures.size(), never);
+    held_.assign(measures_.size(), false);
+    for (std::size_t i = 0; i < measures_.size(); ++i) {
+        const Measure::Of of = experiment_.measures[i].of;
+        if (of == Measure::Of::seconds || of == Measure::Of::times || of == Measure::Of::mean) measures_[i] = 0;
+    }
+    return {};
+}
+
+Expected<double> TrialMeasurement::valueOf(std::size_t measure, const Moment& at) {
+    auto value = expressions_.measures[measure].value(at);
+    if (value) return *value;
+    return tl::unexpected(experiment_.measures[measure].expression.placed(value.error(), experiment_.file));
+}
+
+Expected<bool> TrialMeasurement::look(const Moment& at, double seconds) {
+    ++looks_;
+    for (std::size_t i = 0; i < measures_.size(); ++i) {
+        const Measure::Of of = experiment_.measures[i].of;
+        double& measured = measures_[i];
+        if (of == Measure::Of::end || (of == Measure::Of::first && !std::isnan(measured))) continue;
+        const auto value = valueOf(i, at);
+        if (!value) return tl::unexpected(value.error());
+        const bool holds = *value != 0 && !std::isnan(*value);
+        if (of == Measure::Of::least) measured = std::fmin(measured, *value);
+        if (of == Measure::Of::most) measured = std::fmax(measured, *value);
+        if (of == Measure::Of::mean) measured += (*value - measured) / static_cast<double>(looks_);
+        if (of == Measure::Of::seconds && holds) measured += seconds;
+        if (of == Measure::Of::times && holds && !held_[i]) ++measured;
+        held_[i] = holds;
+        if (of == Measure::Of::first && holds) measured = toSeconds(at.now());
+    }
+    if (!expressions_.until) return false;
+    auto over = expressions_.until->holds(at);
+    if (!over) return tl::unexpected(experiment_.until.placed(over.error(), experiment_.file));
+    return *over;
+}
+
+Expected<void> TrialMeasurement::end(const Moment& at) {
+    for (std::size_t i = 0; i < measures_.size(); ++i) {
+        if (experiment_.measures[i].of == Measure::Of::mean && looks_ == 0) measures_[i] = never;
+        if (experiment_.measures[i].of != Measure::Of::end) continue;
+        const auto value = valueOf(i, at);
+        if (!value) return tl::unexpected(value.error());
+        measures_[i] = *value;
+    }
+    return {};
+}
+
+}  // namespace mrose

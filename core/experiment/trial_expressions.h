@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "condition/condition.h"
+#include "experiment/experiment_file.h"
+
+namespace mrose {
+
+/// The expressions of an experiment, compiled for scenarios with the same bodies and goals.
+struct CompiledExpressions {
+    std::optional<Condition> require, until;
+    std::vector<WorldValue> features, measures;
+    bool follows = false;  ///< `until` or a measure reads what robots saw and decided
+};
+
+/// Compiles them once for all scenarios with the same bodies and goals. For one thread.
+class TrialExpressions {
+public:
+    /// The experiment must stay where it is.
+    explicit TrialExpressions(const Experiment& experiment) : experiment_(experiment) {}
+
+    /// `start`: of a trial, with what was drawn for it. Error: file, line and column of the first thing wrong.
+    Expected<CompiledExpressions*> of(const Moment& start);
+
+private:
+    Expected<CompiledExpressions> compiled(const Moment& start) const;
+
+    const Experiment& experiment_;
+    std::map<std::string, CompiledExpressions> compiled_;  ///< by the names of bodies and goals
+};
+
+/// What one run of a trial gives.
+class TrialMeasurement {
+public:
+    TrialMeasurement(const Experiment& experiment, CompiledExpressions& expressions)
+        : experiment_(experiment), expressions_(expressions) {}
+
+    /// Asks the features, at the run's start.
+    Expected<void> begin(const Moment& start);
+    /// A look at it, `seconds` after the one before. Gives whether the trial is over.
+    Expected<bool> look(const Moment& at, double seconds);
+    /// At its end, after the last look.
+    Expected<void> end(const Moment& at);
+
+    const std::vector<double>& features() const { return features_; }
+    const std::vector<double>& measures() const { return measures_; }
+
+private:
+    Expected<double> valueOf(std::size_t measure, const Moment& at);
+
+    const Experiment& experiment_;
+    CompiledExpressions& expressions_;
+    std::vector<double> features_, measures_;
+    std::vector<bool> held_;  ///< by measure, at the look before
+    std::int64_t looks_ = 0;
+};
+
+}  // namespace mrose

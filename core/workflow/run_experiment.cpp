@@ -1,0 +1,83 @@
+#include "workflow/run_experiment.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "experiment/trial.h"
+#include "io/file.h"
+#include "io/format.h"
+#include "io/shell_quoted.h"
+#include "io/value_bytes.h"
+#include "recording/origin.h"
+#include "scenario/description_library.h"
+#include "workflow/open_scenario.h"
+#include "workflow/resources.h"
+#include "workflow/version.h"
+
+namespace mrose {
+namespace {
+
+/// What runs of an experiment are repeated by, but for their trials, seeds and variants.
+std::string repeated(const std::string& program, const ExperimentRequest& request) {
+    std::string command = program + ' ' + shellQuoted(request.file);
+    for (const std::string& assignment : request.overrides) command += " --set " + shellQuoted(assignment);
+    if (request.plugins.isolate) command += " --isolate";
+    return command;
+}
+
+/// What all rows depend on. How many trials and seeds there are is no part of it: more of them may be added.
+BatchIdentity identityOf(const Value& content, const Experiment& experiment, const ExperimentRequest& request) {
+    BatchIdentity identity{{"mrose", std::string(MROSE_VERSION) + ' ' + thisOrigin().commit}};
+    for (const std::string& assignment : request.overrides) identity["--set " + assignment] = "given";
+    const std::string of(contentOf);
+    identity[of + "the experiment"] = hexadecimal(hashOf(content.without("trials").without("seeds")));
+    for (const Value::File& file : experiment.scenario.files())
+        identity[of + file->name] = hexadecimal(hashOf(file->content));
+    return identity;
+}
+
+}  // namespace
+
+Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, const ExperimentWatch& watch) {
+    DiskDescriptions source = openDescriptions();
+    constexpr std::string_view folders[] = {"resources/experiments", "resources/scenarios"};
+    const auto file = DescriptionLibrary(source).file(request.file, folders);
+    if (!file) return tl::unexpected(file.error());
+    if (!isExperiment((*file)->content)) {
+        const auto wrong = readExperiment(*file, source);
+        return tl::unexpected(wrong.error());
+    }
+    auto experiment = openExperiment(request.file, request.overrides, source);
+    if (!experiment) return tl::unexpected(experiment.error());
+    if (request.trials) (*experiment)->trials = *request.trials;
+    if (watch.opened) watch.opened(**experiment);
+    ExperimentOptions options;
+    // A plug-in's file is named by the scenario's folder: what is in it is part of what the rows depend on.
+    std::mutex mutex;
+    std::map<std::string, std::string> plugins;
+    const PluginLoader load = pluginLoader(request.plugins);
+    options.loading.plugins = [&](const std::string& path, const std::string& with) {
+        {
+            const std::lock_guard lock(mutex);
+            if (!plugins.contains(path))
+                if (const auto content = readFile(path)) plugins[path] = contentHash(*content);
+        }
+        return load(path, with);
+    };
+    {
+        TrialExpressions expressions(**experiment);
+        if (const auto first = TrialMaker(**experiment, expressions, options.loading).make(1); !first)
+            return tl::unexpected(first.error());
+    }
+    options.command = repeated("mrose run", request);
+    options.window = repeated("mrose-gui", request);
+    options.identity = identityOf((*file)->content, **experiment, request);
+    for (const auto& [path, hash] : plugins) options.identity[std::string(contentOf) + path] = hash;
+    options.begins = watch.runBegins;
+    options.progress = watch.progress;
+    options.goesOn = watch.goesOn;
+    return runExperiment(**experiment, options, request.folder);
+}
+
+}  // namespace mrose

@@ -1,0 +1,361 @@
+#include "experiment/experiment.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "experiment/results_row.h"
+#include "experiment/trial.h"
+#include "io/file.h"
+#include "io/toml_text.h"
+#include "support/temporary_folder.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kept = R"(format = "mrose scenario"
+version = 1
+name = "lane"
+environment = "e.toml"
+duration_s = 4.0
+[[robot]]
+name = "a"
+type = "r.toml"
+start = { x_m = 0.0, y_m = 0.0 }
+controller = { kind = "velocity_script", commands = [{ t_s = 0, v_mps = 0.4 }] }
+[[object]]
+name = "box 1"
+kind = "box"
+shape = "d.toml"
+mass_kg = 5.0
+start = { x_m = 0.0, y_m = 5.0 }
+[[object]]
+name = "box 2"
+kind = "box"
+shape = "d.toml"
+mass_kg = 5.0
+start = { x_m = 0.0, y_m = 7.0 }
+)";
+constexpr const char* robotFile = R"(format = "mrose robot"
+version = 1
+name = "r"
+shape = "d.toml"
+mass_kg = 10.0
+control_period_s = 0.1
+[kinematics]
+[motion_noise]
+distance_per_distance = 0.05
+)";
+constexpr const char* shapeFile =
+    "format = \"mrose shape\"\nversion = 1\nname = \"d\"\n[[part]]\ncircle = { radius_m = 0.2 }\n";
+constexpr const char* placeFile = "format = \"mrose environment\"\nversion = 1\nname = \"e\"\n";
+constexpr const char* head = "format = \"mrose experiment\"\nversion = 1\nname = \"lane\"\nscenario = \"s.toml\"\n";
+
+constexpr const char* drawn = R"(trials = 12
+[[draw]]
+name = "x"
+path = "robot[1].start.x_m"
+from = -3.0
+to = 3.0
+[[draw]]
+name = "v"
+path = "robot[1].controller.commands[1].v_mps"
+of = [0.2, 0.4]
+)";
+
+/// An experiment of files in memory.
+class ExperimentTest : public testing::Test {
+protected:
+    Expected<Experiment> read(const std::string& text) {
+        source_ = std::make_unique<KeptDescriptions>(std::map<std::string, std::string>{
+            {"s.toml", scenario_}, {"r.toml", robotFile}, {"d.toml", shapeFile}, {"e.toml", placeFile}});
+        auto content = parseToml(head + text, "x.toml");
+        EXPECT_TRUE(content) << content.error().message();
+        if (!content) return tl::unexpected(content.error());
+        return readExperiment(
+            std::make_shared<const DescriptionFile>(DescriptionFile{"x.toml", "x.toml", std::move(*content)}),
+            *source_);
+    }
+    Experiment experiment(const std::string& text) {
+        auto experiment = read(text);
+        EXPECT_TRUE(experiment) << experiment.error().message();
+        return experiment ? std::move(*experiment) : Experiment{};
+    }
+    std::string refusal(const std::string& text) {
+        const auto experiment = read(text);
+        return experiment ? "" : experiment.error().message();
+    }
+    Expected<ExperimentSummary> run(const Experiment& experiment, const std::string& name = "out") {
+        return runExperiment(experiment, options_, folder_.path() / name);
+    }
+    std::string refusedRun(const std::string& text) {
+        const Experiment read = experiment(text);
+        const auto summary = run(read, "refused");
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "refused")) << text;
+        return summary ? "" : summary.error().message();
+    }
+    std::string results(const std::string& name = "out") {
+        return readFile(folder_.path() / name / "results.csv").value_or("none");
+    }
+    /// Rows by the names of their columns.
+    std::vector<std::map<std::string, std::string>> rows(const std::string& name = "out") {
+        std::vector<std::map<std::string, std::string>> all;
+        std::vector<std::string> names;
+        const std::string text = results(name);
+        for (std::size_t begin = 0; begin < text.size();) {
+            const std::size_t end = text.find('\n', begin);
+            const auto cells = resultsCells(std::string_view(text).substr(begin, end - begin));
+            begin = end + 1;
+            if (names.empty()) {
+                names = cells;
+                continue;
+            }
+            for (std::size_t i = 0; i < names.size(); ++i)
+                i == 0 ? (void)all.emplace_back() : (void)0, all.back()[names[i]] = cells.at(i);
+        }
+        return all;
+    }
+    static double number(const std::string& text) { return std::stod(text); }
+
+    std::string scenario_ = kept;
+    TemporaryFolder folder_;
+    ExperimentOptions options_;
+    std::unique_ptr<KeptDescriptions> source_;
+};
+
+TEST_F(ExperimentTest, WhatIsDrawnIsWhereItIsPutAndAmongTheFeatures) {
+    const Experiment lane = experiment(std::string(drawn) +
+                                       "[features]\nx0 = 'robot[1].x'\nv0 = 'draw.v'\n"
+                                       "[measures]\nway = 'robot[1].x - draw.x'\n");
+    const auto summary = run(lane);
+    ASSERT_TRUE(summary) << summary.error().message();
+    EXPECT_TRUE(summary->complete);
+    std::set<std::string> places, speeds;
+    for (const auto& row : rows()) {
+        EXPECT_EQ(row.at("feature.x0"), row.at("draw.x"));
+        EXPECT_EQ(row.at("feature.v0"), row.at("draw.v"));
+        EXPECT_LE(std::abs(number(row.at("draw.x"))), 3);
+        EXPECT_EQ(row.at("end"), "duration");
+        // What it drives in 4 s, but for its noise, of 5 % of what it drives in a period.
+        EXPECT_NEAR(number(row.at("measure.way")), 4 * number(row.at("draw.v")), 0.05);
+        places.insert(row.at("draw.x"));
+        speeds.insert(row.at("draw.v"));
+    }
+    EXPECT_EQ(places.size(), 12u);
+    EXPECT_EQ(speeds, (std::set<std::string>{"0.2", "0.4"}));
+}
+
+TEST_F(ExperimentTest, RowsAreTheSameForAnyNumberOfThreadsAndResumed) {
+    const Experiment lane = experiment("seeds = 3\n" + std::string(drawn) + "[measures]\nway = 'robot[1].x'\n");
+    {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+        ASSERT_TRUE(run(lane, "one"));
+    }
+    {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 8);
+        ASSERT_TRUE(run(lane, "eight"));
+    }
+    EXPECT_EQ(results("one"), results("eight"));
+    // Stopped after some rows, it goes on with the rest, and repeats none.
+    int begun = 0;
+    std::int64_t done = 0;
+    options_.progress = [&](std::int64_t now, std::int64_t) { done = now; };
+    options_.goesOn = [&] { return done < 10; };
+    const auto stopped = run(lane, "resumed");
+    ASSERT_TRUE(stopped) << stopped.error().message();
+    EXPECT_FALSE(stopped->complete);
+    EXPECT_GE(stopped->done, 10);
+    EXPECT_LT(stopped->done, 36);
+    options_.goesOn = {};
+    options_.begins = [&](const RunKey&) { ++begun; };
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    const auto resumed = run(lane, "resumed");
+    ASSERT_TRUE(resumed) << resumed.error().message();
+    EXPECT_EQ(resumed->resumed, stopped->done);
+    EXPECT_EQ(begun, 36 - stopped->done);
+    EXPECT_EQ(results("resumed"), results("one"));
+    // More trials later leave the earlier ones as they are.
+    Experiment more = lane;
+    more.trials = 15;
+    const std::string before = results("one");
+    ASSERT_TRUE(run(more, "one"));
+    EXPECT_EQ(results("one").substr(0, before.size()), before);
+    EXPECT_FALSE(run(lane, "one")) << "rows would get lost";
+}
+
+TEST_F(ExperimentTest, TrialEndsWhereItsConditionHoldsAndMeasuresLookAtAllOfIt) {
+    const Experiment lane = experiment(
+        "trials = 3\nuntil = 'robot[1].x > 1'\n[measures]\nend_x = 'robot[1].x'\nfarthest = { most = 'robot[1].x' }\n"
+        "nearest = { least = 'robot[1].x' }\nlate = { seconds = 'robot[1].x > 0.5' }\n"
+        "half = { first = 'robot[1].x > 0.5' }\nnever = { first = 'robot[1].x > 9' }\n"
+        "thirds = { times = 'robot[1].x % 0.3 < 0.1' }\nmean = { mean = 'robot[1].x' "
+        "}\n");
+    ASSERT_TRUE(run(lane));
+    for (const auto& row : rows()) {
+        EXPECT_EQ(row.at("end"), "condition");
+        const double end = number(row.at("time_s"));
+        EXPECT_NEAR(end, 2.5, 0.1) << "1 m at 0.4 m/s";
+        EXPECT_GT(number(row.at("measure.end_x")), 1);
+        EXPECT_EQ(row.at("measure.end_x"), row.at("measure.farthest"));
+        EXPECT_LT(number(row.at("measure.nearest")), 0.01);
+        EXPECT_NEAR(number(row.at("measure.half")), 1.25, 0.06);
+        EXPECT_NEAR(number(row.at("measure.late")), end - number(row.at("measure.half")) + 0.02, 1e-9);
+        EXPECT_EQ(row.at("measure.never"), "nan");
+        EXPECT_EQ(row.at("measure.thirds"), "4.0") << "from 0, 0.3, 0.6 and 0.9 m on";
+        EXPECT_NEAR(number(row.at("measure.mean")), 0.5, 0.02);
+    }
+    // Looked at every second, it ends at a whole one.
+    const Experiment rarely = experiment("trials = 3\nevery_s = 1.0\nuntil = 'robot[1].x > 1'\n");
+    ASSERT_TRUE(run(rarely, "rarely"));
+    for (const auto& row : rows("rarely")) EXPECT_EQ(row.at("time_s"), "3.0");
+}
+
+TEST_F(ExperimentTest, VariantsOfATrialBeginAlikeAndHaveTheSameNoise) {
+    EXPECT_THAT(refusal(std::string(drawn) + "[[variant]]\nname = \"b\"\nset = { \"robot[1].surface\" = 1 }\n"),
+                HasSubstr("surface"));
+    const Experiment two = experiment(std::string(drawn) + R"([[variant]]
+name = "as it is"
+[[variant]]
+name = "faster"
+set = { "robot[1].controller.commands[1].v_mps" = 0.5 }
+[measures]
+way = 'robot[1].x - draw.x'
+)");
+    const auto summary = run(two);
+    ASSERT_TRUE(summary) << summary.error().message();
+    ASSERT_EQ(summary->variants.size(), 2u);
+    EXPECT_NEAR(summary->variants[1].measures[0].mean, 2, 0.05);
+    const auto all = rows();
+    ASSERT_EQ(all.size(), 24u);
+    for (std::size_t i = 0; i < all.size(); i += 2) {
+        EXPECT_EQ(all[i].at("trial"), all[i + 1].at("trial"));
+        EXPECT_EQ(all[i].at("draw.x"), all[i + 1].at("draw.x"));
+        // The noise is a share of the way: of the same draws the same share.
+        const double share = number(all[i].at("measure.way")) / number(all[i].at("draw.v"));
+        EXPECT_NEAR(number(all[i + 1].at("measure.way")) / 0.5, share, 1e-9);
+    }
+}
+
+TEST_F(ExperimentTest, SomeBodiesAreThereAndOthersNot) {
+    const Experiment boxes = experiment(R"(trials = 30
+[[draw]]
+name = "boxes"
+bodies = ["box 1", "box 2"]
+[[draw]]
+name = "off"
+mean = 0.0
+deviation = 0.1
+least = -0.15
+most = 0.15
+[[draw]]
+name = "ahead"
+path = ["object[1].start.x_m", "object[2].start.x_m"]
+value = 'draw.off + 1'
+[features]
+count = '#object'
+ahead = '(function() local n = 0 for i = 1, #object do n = n + object[i].x end return n end)()'
+)");
+    ASSERT_TRUE(run(boxes));
+    std::map<std::string, int> counts;
+    for (const auto& row : rows()) {
+        EXPECT_EQ(row.at("feature.count"), row.at("draw.boxes"));
+        EXPECT_LE(std::abs(number(row.at("draw.off"))), 0.15);
+        EXPECT_NEAR(number(row.at("draw.ahead")), 1 + number(row.at("draw.off")), 1e-12);
+        EXPECT_NEAR(number(row.at("feature.ahead")), number(row.at("draw.boxes")) * number(row.at("draw.ahead")),
+                    1e-12);
+        ++counts[row.at("draw.boxes")];
+    }
+    EXPECT_EQ(counts.size(), 3u);
+}
+
+TEST_F(ExperimentTest, StartsThatOverlapOrAreNotWantedAreDrawnAgain) {
+    const Experiment wanted = experiment(R"(trials = 40
+require = 'robot[1].x > 0'
+[[draw]]
+name = "x"
+path = "robot[1].start.x_m"
+from = -1.0
+to = 1.0
+[[draw]]
+name = "y"
+path = "robot[1].start.y_m"
+from = 4.5
+to = 5.5
+)");
+    ASSERT_TRUE(run(wanted));
+    for (const auto& row : rows()) {
+        EXPECT_GT(number(row.at("draw.x")), 0);
+        EXPECT_GE(std::hypot(number(row.at("draw.x")), number(row.at("draw.y")) - 5), 0.4 - 2e-4) << "box 1";
+    }
+    const Experiment never = experiment("trials = 2\nrequire = 'robot[1].x > 5'\n");
+    const auto refused = run(never, "never");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), HasSubstr("x.toml: in a hundred draws of trial 1"));
+}
+
+TEST_F(ExperimentTest, WrongExpressionsAreToldWithTheirPlaceBeforeTheFirstTrial) {
+    EXPECT_THAT(refusedRun("trials = 2\nuntil = 'robot[1].sped > 1'\n"),
+                testing::StartsWith("x.toml:6:19: until: there is no 'sped'"));
+    EXPECT_THAT(refusedRun("trials = 2\n[features]\na = '1'\nbc = 'robot[2].x'\n"),
+                testing::StartsWith("x.toml:8:13: bc: there is no robot 2"));
+    EXPECT_THAT(refusedRun("trials = 2\n[measures]\nm = { most = 'ball.x' }\n"), HasSubstr("m.most: there is no ball"));
+    EXPECT_THAT(refusedRun("trials = 2\n[measures]\nm = 'draw.z'\n"),
+                HasSubstr("x.toml:7:11: m: there is no draw 'z': there is none"));
+    EXPECT_THAT(refusedRun("trials = 2\nuntil = '1 + '\n"), testing::StartsWith("x.toml:6:"));
+    EXPECT_THAT(refusedRun("trials = 2\nuntil = '1 + 1'\n"), HasSubstr("until: gives the number 2"));
+    EXPECT_THAT(refusedRun("trials = 2\nuntil = 'robot[1].controller.stat == 1'\n"),
+                HasSubstr("until: there is no 'stat' in 'controller'"));
+    EXPECT_THAT(refusedRun("trials = 2\n[[draw]]\nname = \"a\"\nvalue = 'draw.b'\n"),
+                HasSubstr("draw[\"a\"].value: there is no draw 'b'"));
+}
+
+TEST_F(ExperimentTest, WhatIsWrongWithAFileIsOneLine) {
+    EXPECT_THAT(refusal(""), HasSubstr("x.toml:1:1: trials: is missing"));
+    EXPECT_THAT(refusal("trials = 0\n"), HasSubstr("x.toml:5:10: trials: expected a whole number from 1"));
+    EXPECT_THAT(refusal("trials = 1\nuntill = '1'\n"), HasSubstr("untill: is not a known key"));
+    EXPECT_THAT(refusal("trials = 1\nevery_s = 0.03\n"), HasSubstr("every_s: expected whole ticks"));
+    const auto draw = [&](const std::string& keys) { return refusal("trials = 1\n[[draw]]\nname = \"a\"\n" + keys); };
+    EXPECT_THAT(draw(""), HasSubstr("draw[\"a\"].name: says nothing of what is drawn"));
+    EXPECT_THAT(draw("from = 1\n"), HasSubstr("draw[\"a\"].to: is missing"));
+    EXPECT_THAT(draw("from = 1\nto = 0\n"), HasSubstr("to: is less than `from`"));
+    EXPECT_THAT(draw("from = 0.5\nto = 2\nwhole = true\n"), HasSubstr("whole: expected whole numbers"));
+    EXPECT_THAT(draw("of = []\n"), HasSubstr("of: expected an array of 1 to 1000"));
+    EXPECT_THAT(draw("mean = 0\ndeviation = -1\n"), HasSubstr("deviation: is -1"));
+    EXPECT_THAT(draw("mean = 0\ndeviation = 1\nleast = 1\n"), HasSubstr("mean: expected one between"));
+    EXPECT_THAT(draw("bodies = [\"box 3\"]\n"), HasSubstr("bodies[1]: is the name of no body"));
+    EXPECT_THAT(draw("path = \"robot[3].start.x_m\"\nfrom = 0\nto = 1\n"),
+                HasSubstr("robot[3].start.x_m: names nothing"));
+    EXPECT_THAT(draw("path = \"robot[1].type\"\nof = [\"none.toml\"]\n"), HasSubstr("\"none.toml\" was not found"));
+    EXPECT_THAT(draw("from = 0\nto = 1\n[[draw]]\nname = \"a\"\nfrom = 0\nto = 1\n"),
+                HasSubstr("is the name of another draw"));
+    EXPECT_THAT(refusal("trials = 1\n[measures]\nm = { most = '1', least = '2' }\n"),
+                HasSubstr("m: expected one of `least`"));
+    EXPECT_THAT(refusal("trials = 1\n[measures]\n\"m x\" = '1'\n"), HasSubstr("expected a name"));
+    // What a draw makes of the scenario is told with the trial that drew it.
+    const Experiment misspelt =
+        experiment("trials = 1\n[[draw]]\nname = \"a\"\npath = \"robot[1].start.z_m\"\nfrom = 0\nto = 1\n");
+    const auto refused = run(misspelt, "misspelt");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), HasSubstr("z_m: is not a known key"));
+    EXPECT_THAT(refused.error().message(), HasSubstr("(trial 1)"));
+}
+
+TEST_F(ExperimentTest, FolderOfAnotherExperimentIsRefused) {
+    Experiment lane = experiment(drawn);
+    options_.identity = {{"content of the experiment", "1"}};
+    ASSERT_TRUE(run(lane));
+    options_.identity = {{"content of the experiment", "2"}};
+    const auto other = run(lane);
+    ASSERT_FALSE(other);
+    EXPECT_THAT(other.error().message(), HasSubstr("holds results of another batch"));
+}
+
+}  // namespace
+}  // namespace mrose
