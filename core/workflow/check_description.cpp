@@ -24,10 +24,13 @@ CheckedDescription check(const Environment& environment, const DrawingOptions& o
 }
 
 CheckedDescription check(const RobotDescription& robot, const DrawingOptions& options) {
+    std::string sensors;
+    for (const SensorPointer& sensor : robot.type.sensors) sensors += (sensors.empty() ? ": " : ", ") + sensor->name();
     return {{},
             "robot",
             robot.type.name,
-            motionKind(robot) + ", " + counted(robot.type.manipulators.size(), "manipulator", "manipulators"),
+            motionKind(robot) + ", " + counted(robot.type.manipulators.size(), "manipulator", "manipulators") + ", " +
+                counted(robot.type.sensors.size(), "sensor") + sensors,
             drawRobot(robot.type, options),
             {}};
 }
