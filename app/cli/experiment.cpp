@@ -21,9 +21,11 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
         if (variant.runs == 0) continue;
         if (!variant.name.empty()) std::printf("%s\n", variant.name.c_str());
         TextTable table({"", "mean", "deviation", "least", "most", "of"});
-        for (const MeasureSummary& measure : variant.measures)
-            table.add({measure.name, numberOf(measure.mean), numberOf(measure.deviation), numberOf(measure.least),
-                       numberOf(measure.most), std::to_string(measure.count)});
+        for (const MeasureSummary& measure : variant.measures) {
+            const auto cell = [&](double value) { return measure.count > 0 ? numberOf(value) : "-"; };
+            table.add({measure.name, cell(measure.mean), cell(measure.deviation), cell(measure.least),
+                       cell(measure.most), std::to_string(measure.count)});
+        }
         if (!variant.measures.empty()) std::fputs(table.text().c_str(), stdout);
         std::printf("%lld runs, %lld ended by `until`", static_cast<long long>(variant.runs),
                     static_cast<long long>(variant.ended));

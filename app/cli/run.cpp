@@ -139,8 +139,10 @@ void print(const ScenarioRun& run, const RunRequest& request, double wall) {
     const Scenario& scenario = run.scenario();
     const double simulated = toSeconds(result.state.tick * scenario.scene().tickLength);
     const double taken = toSeconds(result.statistics.ticks * scenario.scene().tickLength);
-    const std::uint32_t number = request.scenario.trial;
-    const std::string trial = number > 0 ? ", trial " + std::to_string(number) : "";
+    const auto& drawn = run.opened.trial;
+    const std::uint32_t number = drawn ? drawn->number : request.scenario.trial;
+    std::string trial = number > 0 ? ", trial " + std::to_string(number) : "";
+    if (drawn && !drawn->variant.empty()) trial += ", " + drawn->variant;
     std::printf("%s%s, seed %llu: %.2f s%s", scenario.parts().name.c_str(), trial.c_str(),
                 static_cast<unsigned long long>(result.state.seed), simulated,
                 endText(result.end, !request.until.empty()));
@@ -196,8 +198,9 @@ Subcommand addRun(CLI::App& app, CommonFlags& common) {
     addSeed(*sub, common);
     addOverwrite(*sub, common);
     addScenarioFlags(*sub, request.scenario, request.duration, request.until);
-    sub->add_option("--trial", request.scenario.trial,
-                    "Start as this trial of a batch or an experiment does; 0: as the scenario says")
+    sub->add_option(
+           "--trial", request.scenario.trial,
+           "Start as this trial of a batch or an experiment does; 0: as the scenario says, the experiment's first")
         ->check(someTrial())
         ->capture_default_str();
     sub->add_option("--variant", request.scenario.variant, "Which variant of an experiment")->check(someName());

@@ -22,9 +22,9 @@ struct TrainFlags {
         whole.robots = request.logs.robots;
         whole.output = request.output;
         whole.robotKind = request.robotKind;
-        const auto at = std::ranges::find(regressorFamilyNames, family);
+        const auto at = std::ranges::find(sensorFamilyNames, family);
         SensorTrainerOptions& training = whole.training;
-        training.family = static_cast<RegressorFamily>(at - regressorFamilyNames.begin());
+        training.family = static_cast<RegressorFamily>(at - sensorFamilyNames.begin());
         const auto take = [](int given, int& option) {
             if (given > 0) option = given;
         };
@@ -135,7 +135,7 @@ void addSensor(CLI::App& sub, TrainFlags& flags) {
         "Learn a sensor, by its name in the logs, instead of motion: how likely it reports a subject or, "
         "where it says where its robot is, that, and how the errors are distributed");
     sub.add_option("--family", flags.family, "What the sensor's distribution is learned by")
-        ->check(CLI::IsMember(std::vector<std::string>(regressorFamilyNames.begin(), regressorFamilyNames.end())))
+        ->check(CLI::IsMember(std::vector<std::string>(sensorFamilyNames.begin(), sensorFamilyNames.end())))
         ->needs(sensor)
         ->capture_default_str();
     sub.add_option("--components", flags.sensor.training.components,

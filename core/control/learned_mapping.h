@@ -22,6 +22,9 @@ public:
     virtual MappingVariable output(std::size_t index) const = 0;
     /// `from` has inputs() numbers, `to` outputs(); otherwise it throws std::invalid_argument.
     virtual void evaluate(std::span<const double> from, std::span<double> to) const = 0;
+    /// How far outside of what it was learned at the input lies that is farthest out, as a share of its range: 0
+    /// within, or where that is not known. Throws likewise.
+    virtual double beyond(std::span<const double> from) const = 0;
 };
 
 }  // namespace mrose

@@ -119,18 +119,18 @@ private:
         const Moment atStart{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
         const auto expressions = place.expressions.of(atStart);
         if (!expressions) return tl::unexpected(expressions.error());
-        TrialMeasurement measurement(experiment_, **expressions);
+        const std::int64_t every = ticksBetweenLooks(experiment_, scenario.scene());
+        TrialMeasurement measurement(experiment_, **expressions, every * scenario.scene().tickLength);
         if (const auto begun = measurement.begin(atStart); !begun) return tl::unexpected(begun.error());
         RunOptions options;
         options.duration = scenario.parts().duration;
         options.endOnFault = true;
         options.watchFollows = (*expressions)->follows;
-        options.every = ticksBetweenLooks(experiment_, scenario.scene());
-        const double seconds = toSeconds(options.every * scenario.scene().tickLength);
+        options.every = every;
         options.watch = [&](const Moment& at) {
             Moment looked = at;
             looked.drawn = &drawn;
-            return measurement.look(looked, seconds);
+            return measurement.look(looked);
         };
         std::optional<Error> wrong;
         options.finally = [&](const Moment& at) {
@@ -200,16 +200,7 @@ Expected<ExperimentSummary> runExperiment(const Experiment& experiment, const Ex
         return fail(experiment.file, "asks for more than " + std::to_string(mostRuns) + " runs", 0, "trials");
     // Wrong expressions are told before any run, and before the folder is made.
     Workplace first(experiment, options.loading);
-    auto trial = first.maker.make(1);
-    if (!trial) return tl::unexpected(trial.error());
-    for (LoadedScenario& loaded : trial->scenarios) {
-        const Scenario scenario(std::move(loaded.parts));
-        const WorldState start = scenario.initialState();
-        std::vector<RobotInsight> none(start.robots.size());
-        const auto expressions =
-            first.expressions.of({.scenario = &scenario, .state = &start, .insights = none, .drawn = &trial->drawn});
-        if (!expressions) return tl::unexpected(expressions.error());
-    }
+    if (const auto fits = first.maker.check(); !fits) return tl::unexpected(fits.error());
     auto file = ResultsFile::open(folder, options.identity, experimentHeader(experiment));
     if (!file) return tl::unexpected(file.error());
     if (const auto fits = checkRows(*file, experiment, folder); !fits) return tl::unexpected(fits.error());

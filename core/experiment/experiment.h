@@ -27,7 +27,7 @@ struct ExperimentOptions {
 
 /// What the runs of a variant have of a feature or a measure.
 struct MeasureSummary {
-    std::string name;
+    std::string name;        ///< of its column: "measure.time_s"
     std::int64_t count = 0;  ///< of those that have a number
     double mean = 0, deviation = 0, least = 0, most = 0;
 };

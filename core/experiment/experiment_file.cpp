@@ -1,7 +1,9 @@
 #include "experiment/experiment_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -15,6 +17,10 @@ namespace {
 constexpr std::int64_t mostTrials = 10'000'000, mostSeeds = 1'000'000, mostChoices = 1000;
 constexpr std::array measureWords{std::string_view("least"),   std::string_view("most"),  std::string_view("mean"),
                                   std::string_view("seconds"), std::string_view("times"), std::string_view("first")};
+
+constexpr std::array<std::string_view, 22> luaKeywords{
+    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
+    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
 class ExperimentReader {
 public:
@@ -31,6 +37,7 @@ public:
         readScenario();
         if (root_.failed()) return tl::unexpected(root_.error());
         readRuns();
+        readSets();
         for (TomlTable& table : root_.tablesOrNone("draw"))
             if (!root_.failed()) readDraw(table);
         for (TomlTable& table : root_.tablesOrNone("variant"))
@@ -45,6 +52,8 @@ public:
 
 private:
     void readScenario() {
+        if (root_.has("scenario") && root_.string("scenario").empty())
+            return root_.reject("scenario", "expected a scenario's file");
         const Value::File file =
             library_.file(root_, "scenario", file_->name, "resources/scenarios", DescriptionLibrary::Holds::tables);
         if (!file) return;
@@ -67,6 +76,7 @@ private:
         const Nanoseconds duration = durationOr(root_, "duration_s", duration_, {0.001, 1e6});
         experiment_.every = durationOr(root_, "every_s", 0, {0.001, 1000});
         if (experiment_.every % tick_ != 0) root_.reject("every_s", "expected whole ticks of the scenario");
+        if (experiment_.every > duration) root_.reject("every_s", "is longer than a run");
         if (root_.has("require")) experiment_.require = expression(root_, "require");
         if (root_.has("until")) experiment_.until = expression(root_, "until");
         if (root_.failed()) return;
@@ -92,6 +102,9 @@ private:
         Draw draw;
         draw.name = table.string("name");
         if (!table.failed() && !plain(draw.name)) table.reject("name", "expected letters, digits and _, at most 40");
+        if (const Value* const named = table.value("name")) draw.line = named->line, draw.column = named->column;
+        if (std::ranges::find(luaKeywords, draw.name) != luaKeywords.end())
+            table.reject("name", "is a word of Lua: expressions could not name it");
         if (!names_.insert(draw.name).second) table.reject("name", "is the name of another draw, too");
         if (table.has("path")) {
             const Value* const path = table.value("path");
@@ -99,11 +112,15 @@ private:
                 draw.paths = table.strings("path");
             else
                 draw.paths = {table.string("path")};
+            if (!table.failed() && draw.paths.empty()) table.reject("path", "expected at least one");
         }
         readDistribution(table, draw);
         table.rejectUnknown();
         if (root_.failed()) return;
-        for (const std::string& path : draw.paths) checkPath(table, path);
+        for (const std::string& path : draw.paths) {
+            checkPath(table, path);
+            if (!paths_.insert(path).second) table.reject("path", path + " is that of another draw, too");
+        }
         experiment_.draws.push_back(std::move(draw));
     }
 
@@ -117,6 +134,8 @@ private:
             for (std::size_t i = 0; i < draw.bodies.size(); ++i)
                 if (experiment_.scenario.bodyPath(draw.bodies[i]).empty())
                     table.rejectElement("bodies", i, "is the name of no body in the scenario");
+                else if (!bodies_.insert(draw.bodies[i]).second)
+                    table.rejectElement("bodies", i, "is there twice");
             if (!draw.paths.empty()) table.reject("path", "is for numbers; expected none beside `bodies`");
         } else if (table.has("of")) {
             draw.kind = Draw::Kind::choice;
@@ -159,7 +178,11 @@ private:
         ScenarioLoading loading = loading_;
         loading.checkStarts = false;
         const auto loaded = loadScenario(*changed, library_, loading);
-        if (!loaded) return table.reject(key, loaded.error().message()), value;
+        if (!loaded) {
+            // Lines of the scenario are not those of what is set in it.
+            const Error& error = loaded.error();
+            return table.reject(key, (error.key.empty() ? path : error.key) + ": " + error.cause), value;
+        }
         const Value* const there = loaded->value.at(path);
         if (&table == &root_) experiment_.scenario = loaded->value;
         return there != nullptr ? *there : value;
@@ -171,13 +194,30 @@ private:
     }
     /// What is drawn there must be known: a key that is misspelt changes nothing.
     void checkPath(TomlTable& table, const std::string& path) {
+        for (const char* const own : {"seed", "duration_s", "name", "format", "version"})
+            if (path == own) return table.reject("path", "\"" + path + "\" is not for draws");
         if (const auto changed = experiment_.scenario.with(path, 0.0); !changed)
             table.reject("path", path + ": " + changed.error().cause);
+    }
+
+    /// What is set for all trials and variants.
+    void readSets() {
+        TomlTable sets = root_.tableOrEmpty("set");
+        const Value* const named = root_.has("set") ? root_.value("set") : nullptr;
+        if (named == nullptr || named->asTable() == nullptr) return;
+        for (const auto& [path, value] : *named->asTable()) {
+            sets.value(path);
+            if (root_.failed()) return;
+            auto changed = experiment_.scenario.with(path, set(sets, path, path, value));
+            if (!changed) return sets.reject(path, changed.error().cause);
+            experiment_.scenario = std::move(*changed);
+        }
     }
 
     void readVariant(TomlTable& table) {
         Variant variant;
         variant.name = name(table, "name");
+        if (const Value* const named = table.value("name")) variant.line = named->line, variant.column = named->column;
         const bool taken =
             std::ranges::any_of(experiment_.variants, [&](const Variant& other) { return other.name == variant.name; });
         if (taken) table.reject("name", "is the name of another variant, too");
@@ -186,6 +226,7 @@ private:
         if (named != nullptr && named->asTable() != nullptr)
             for (const auto& [path, value] : *named->asTable()) {
                 sets.value(path);
+                if (path == "seed" || path == "duration_s") sets.reject(path, "is the experiment's, for all variants");
                 variant.set.emplace_back(path, root_.failed() ? value : set(sets, path, path, value));
             }
         table.rejectUnknown();
@@ -206,7 +247,7 @@ private:
         TomlTable table = root_.tableOrEmpty("features");
         for (const std::string& key : keysOf("features")) {
             if (!plain(key)) table.reject(key, "expected a name of letters, digits and _, at most 40");
-            experiment_.features.push_back(expression(table, key));
+            experiment_.features.push_back({key, expression(table, key, "features.")});
         }
     }
     void readMeasures() {
@@ -216,7 +257,7 @@ private:
             Measure measure{key, Measure::Of::end, {}};
             const Value* const value = table.value(key);
             if (value == nullptr || value->asTable() == nullptr) {
-                measure.expression = expression(table, key);
+                measure.expression = expression(table, key, "measures.");
             } else {
                 TomlTable of = table.table(key);
                 std::size_t there = 0, word = 0;
@@ -225,7 +266,7 @@ private:
                 if (there != 1)
                     table.reject(key, "expected one of `least`, `most`, `mean`, `seconds`, `times`, `first`");
                 measure.of = static_cast<Measure::Of>(word + 1);
-                if (there == 1) measure.expression = expression(of, measureWords[word], key + '.');
+                if (there == 1) measure.expression = expression(of, measureWords[word], "measures." + key + '.');
                 of.rejectUnknown();
             }
             experiment_.measures.push_back(std::move(measure));
@@ -239,7 +280,7 @@ private:
     TomlTable root_;
     Experiment experiment_;
     Nanoseconds duration_ = 0, tick_ = 1;
-    std::set<std::string> names_;
+    std::set<std::string> names_, paths_, bodies_;
 };
 
 }  // namespace
@@ -253,6 +294,10 @@ Error FileExpression::placed(Error inText, const std::string& file) const {
     inText.file = file;
     inText.key = key;
     return inText;
+}
+
+Error FileExpression::placed(std::string cause, const std::string& file) const {
+    return {file, static_cast<int>(line), static_cast<int>(column), key, std::move(cause)};
 }
 
 Expected<Experiment> readExperiment(const Value::File& file, DescriptionSource& source,

@@ -21,6 +21,8 @@ struct FileExpression {
     bool empty() const { return text.empty(); }
     /// What is wrong within the text, said of the file.
     Error placed(Error inText, const std::string& file) const;
+    /// Likewise of the whole of it.
+    Error placed(std::string cause, const std::string& file) const;
 };
 
 /// What differs from trial to trial.
@@ -33,6 +35,7 @@ struct Draw {
         bodies     ///< how many of `bodies`, from the first on, there are: from `least` to `most`
     };
     std::string name;
+    std::uint32_t line = 0, column = 0;  ///< where its name stands
     Kind kind = Kind::uniform;
     std::vector<std::string> paths;  ///< of the scenario's value: where it is put
     double least = 0, most = 0, mean = 0, deviation = 0;
@@ -58,9 +61,16 @@ struct Measure {
     FileExpression expression;
 };
 
+/// A number that is asked at a trial's start.
+struct Feature {
+    std::string name;
+    FileExpression expression;
+};
+
 /// Another way to do the same trials: what it sets in the scenario, after all draws.
 struct Variant {
     std::string name;
+    std::uint32_t line = 0, column = 0;  ///< where its name stands
     std::vector<std::pair<std::string, Value>> set;
 };
 
@@ -76,7 +86,7 @@ struct Experiment {
     FileExpression require, until;
     std::vector<Draw> draws;
     std::vector<Variant> variants;  ///< at least one; without any in the file one without a name
-    std::vector<FileExpression> features;
+    std::vector<Feature> features;
     std::vector<Measure> measures;
 };
 

@@ -1,5 +1,6 @@
 #include "experiment/experiment_row.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -13,14 +14,18 @@ namespace {
 
 constexpr std::size_t experimentEndCell = 4, firstDrawCell = 6;
 
-std::string drawnText(const Value& value) {
+/// Of tables and arrays, which of the draw's choices it is, from 1.
+std::string drawnText(const Value& value, const Draw& draw) {
     if (const double* const number = value.asFloat()) return numberText(*number);
     if (const std::int64_t* const whole = value.asInteger()) return std::to_string(*whole);
     if (const bool* const truth = value.asBoolean()) return *truth ? "true" : "false";
     if (const std::string* const text = value.asText()) return csvCell(*text);
     if (const DescriptionFile* const file = value.asFile()) return csvCell(file->reference);
-    return "";
+    return std::to_string(std::ranges::find(draw.choices, value) - draw.choices.begin() + 1);
 }
+
+/// NaN has no sign worth a reader's time.
+std::string measuredText(double value) { return std::isnan(value) ? "nan" : numberText(value); }
 
 void add(MeasureSummary& summary, double value) {
     if (!std::isfinite(value)) return;
@@ -37,7 +42,7 @@ void add(MeasureSummary& summary, double value) {
 std::string experimentHeader(const Experiment& experiment) {
     std::string line = "trial,seed,variant,variant_name,end,time_s";
     for (const Draw& draw : experiment.draws) line += ",draw." + draw.name;
-    for (const FileExpression& feature : experiment.features) line += ",feature." + feature.key;
+    for (const Feature& feature : experiment.features) line += ",feature." + feature.name;
     for (const Measure& measure : experiment.measures) line += ",measure." + measure.name;
     return line + ",world_hash,command,window,fault";
 }
@@ -48,9 +53,9 @@ std::string experimentRow(const Experiment& experiment, const RunKey& key, const
     const std::string time = plainSeconds(result.state.tick * tick);
     std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + std::to_string(key.variant) +
                        ',' + csvCell(experiment.variants[key.variant - 1].name) + ',' + name(result.end) + ',' + time;
-    for (const DrawnValue& one : drawn) line += ',' + drawnText(one.value);
-    for (const double feature : measurement.features()) line += ',' + numberText(feature);
-    for (const double measure : measurement.measures()) line += ',' + numberText(measure);
+    for (std::size_t i = 0; i < drawn.size(); ++i) line += ',' + drawnText(drawn[i].value, experiment.draws[i]);
+    for (const double feature : measurement.features()) line += ',' + measuredText(feature);
+    for (const double measure : measurement.measures()) line += ',' + measuredText(measure);
     return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + csvCell(commands.alone) + ',' +
            csvCell(commands.window + " --at " + time) + ',' + csvCell(result.statistics.firstFault);
 }
@@ -60,8 +65,8 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
     for (const Variant& variant : experiment.variants) {
         VariantSummary& summary = summaries.emplace_back();
         summary.name = variant.name;
-        for (const FileExpression& feature : experiment.features) summary.measures.push_back({feature.key});
-        for (const Measure& measure : experiment.measures) summary.measures.push_back({measure.name});
+        for (const Feature& feature : experiment.features) summary.measures.push_back({"feature." + feature.name});
+        for (const Measure& measure : experiment.measures) summary.measures.push_back({"measure." + measure.name});
     }
     for (const auto& [key, row] : rows) {
         const std::vector<std::string> cells = resultsCells(row);

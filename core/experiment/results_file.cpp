@@ -34,6 +34,9 @@ std::optional<RunKey> keyOf(std::string_view row, bool variants) {
     return key;
 }
 
+/// Whether a third number stands behind trial and seed; a batch has a word there.
+bool hasVariant(std::string_view row) { return keyOf(row, true).has_value(); }
+
 tl::unexpected<Error> systemError(const std::filesystem::path& path) {
     return fail(path.string(), std::string("cannot be written: ") + std::strerror(errno));
 }
@@ -54,16 +57,19 @@ std::string unescaped(std::string_view text) {
     return out;
 }
 
-/// A line for each: "name = value".
+constexpr std::string_view lastLine = "end of this file\n";
+
+/// A line for each: "name = value", and one that says that it is whole.
 std::string identityText(const BatchIdentity& identity) {
     std::string text;
     for (const auto& [name, value] : identity) text += escaped(name) + " = " + escaped(value) + '\n';
-    return text;
+    return text.append(lastLine);
 }
 
 BatchIdentity parseIdentity(std::string_view text) {
     constexpr std::string_view gap = " = ";
     BatchIdentity identity;
+    if (text.ends_with(lastLine)) text.remove_suffix(lastLine.size());
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
@@ -127,7 +133,7 @@ Expected<ResultsFile> ResultsFile::open(const std::filesystem::path& folder, con
     // In this order: a batch that begins meanwhile has batch.txt before any results.
     const bool results = std::filesystem::exists(folder / "results.csv") || std::filesystem::exists(file.part());
     if (results && !std::filesystem::exists(file.batch()))
-        return fail(folder.string(), "holds results of no batch; expected an empty folder");
+        return fail(folder.string(), "holds results of no batch and no experiment; expected an empty folder");
     if (const auto locked = file.lock(); !locked) return tl::unexpected(locked.error());
     for (const std::filesystem::path& path : {folder / "results.csv", file.part()})
         if (std::filesystem::exists(path))
@@ -147,7 +153,7 @@ Expected<void> ResultsFile::lock() {
         if (lock_ >= 0) ::close(lock_);
         lock_ = ::open(batch().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (lock_ < 0) return systemError(batch());
-        if (!lockForWriting(lock_)) return fail(folder_.string(), "another mrose batch is at work in it");
+        if (!lockForWriting(lock_)) return fail(folder_.string(), "another mrose is at work in it");
         // Who could not write what it made has removed it.
         if (isFileAt(lock_, batch())) return {};
     }
@@ -159,18 +165,15 @@ Expected<void> ResultsFile::checkIdentity(const BatchIdentity& identity) {
     const auto before = readFile(batch());
     if (!before) return tl::unexpected(before.error());
     const BatchIdentity known = parseIdentity(*before);
-    // What is cut off lacks its end: the last name, or a part of its line.
-    const bool whole = identityText(known) == *before && (identity.empty() || !known.empty()) &&
-                       (identity.empty() || known.rbegin()->first == identity.rbegin()->first);
+    const bool whole = before->ends_with(lastLine);
     const std::string other = differenceOf(known, identity);
-    if (other.empty()) return {};
+    if (other.empty() && (whole || known == identity)) return {};
     if (!rows_.empty() && !whole)
-        return fail(
-            batch().string(),
-            "is damaged and does not say any more which batch's results lie beside it; expected an empty folder");
+        return fail(batch().string(),
+                    "is damaged and does not say any more whose results lie beside it; expected an empty folder");
     if (!rows_.empty())
         return fail(folder_.string(),
-                    "holds results of another batch: " + other + "; expected an empty folder, or the same batch");
+                    "holds other results: " + other + "; expected an empty folder, or the same batch or experiment");
     return writeIdentity(identity);
 }
 
@@ -191,11 +194,16 @@ Expected<void> ResultsFile::readRows(const std::filesystem::path& path) {
     const auto text = readFile(path);
     if (!text) return tl::unexpected(text.error());
     const bool variants = header_.starts_with("trial,seed,variant,");
+    const char* const others = variants ? "a batch" : "an experiment";
     for (std::string_view rest = *text; !rest.empty();) {
         const std::size_t end = rest.find('\n');
         if (end == std::string_view::npos) break;
         const std::string_view row = rest.substr(0, end);
-        if (const auto key = keyOf(row, variants)) rows_.emplace(*key, row);
+        const bool header = row.starts_with("trial,seed,");
+        const auto key = keyOf(row, variants);
+        if (header ? variants != row.starts_with("trial,seed,variant,") : !key || hasVariant(row) != variants)
+            return fail(folder_.string(), std::string("holds results of ") + others + "; expected an empty folder");
+        if (key) rows_.emplace(*key, row);
         rest.remove_prefix(end + 1);
     }
     return {};

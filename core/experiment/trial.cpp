@@ -20,6 +20,9 @@ double within(const Draw& draw, double u) {
     return draw.least + std::floor(u * (draw.most - draw.least + 1));
 }
 
+/// The last key of a path: where bodies have names, an error says them, and a path their numbers.
+std::string lastKeyOf(const std::string& path) { return path.substr(path.find_last_of('.') + 1); }
+
 std::string who(std::uint32_t number) { return " (trial " + std::to_string(number) + ')'; }
 
 }  // namespace
@@ -131,11 +134,7 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
                 varied = std::move(*changed);
             }
             auto loaded = scenarioOf(varied);
-            if (!loaded) {
-                Error error = loaded.error();
-                error.cause += who(number);
-                return tl::unexpected(error);
-            }
+            if (!loaded) return tl::unexpected(told(loaded.error(), number));
             if (!*loaded) wanted = false;
             if (wanted && &variant == experiment_.variants.data()) {
                 const auto asked = isWanted(**loaded, trial.drawn);
@@ -147,9 +146,62 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
         }
         if (wanted) return trial;
     }
-    return fail(experiment_.file,
-                "in a hundred draws of trial " + std::to_string(number) +
-                    " bodies overlapped, or what is required did not hold; expected ranges with room");
+    const std::string cause = "in a hundred draws of trial " + std::to_string(number) +
+                              " bodies overlapped, or what is required did not hold; expected ranges with room";
+    return tl::unexpected(experiment_.require.placed(cause, experiment_.file));
+}
+
+/// What is wrong with a trial's scenario, of the draw or the variant that made it so.
+Error TrialMaker::told(Error error, std::uint32_t number) const {
+    const auto made = [&](const std::string& path) {
+        return error.key == path || error.key.starts_with(path + '.') || lastKeyOf(path) == lastKeyOf(error.key);
+    };
+    const std::string cause = error.key + ": " + error.cause + who(number);
+    for (const Variant& variant : experiment_.variants)
+        for (const auto& [path, value] : variant.set)
+            if (made(path))
+                return {experiment_.file, static_cast<int>(variant.line), static_cast<int>(variant.column),
+                        "variant[\"" + variant.name + "\"]", cause};
+    for (const Draw& draw : experiment_.draws)
+        for (const std::string& path : draw.paths)
+            if (made(path))
+                return {experiment_.file, static_cast<int>(draw.line), static_cast<int>(draw.column),
+                        "draw[\"" + draw.name + "\"]", cause};
+    error.cause += who(number);
+    return error;
+}
+
+Expected<void> TrialMaker::check() {
+    constexpr std::size_t mostSets = 256;
+    const auto trial = make(1);
+    if (!trial) return tl::unexpected(trial.error());
+    std::vector<DrawnValues> sets{trial->drawn};
+    for (std::size_t i = 0; i < experiment_.draws.size(); ++i) {
+        const Draw& draw = experiment_.draws[i];
+        if (draw.kind != Draw::Kind::bodies) continue;
+        std::vector<DrawnValues> more;
+        const bool all = static_cast<double>(sets.size()) * (draw.most - draw.least + 1) <= mostSets;
+        for (const DrawnValues& drawn : sets)
+            for (auto count = static_cast<int>(draw.least); count <= static_cast<int>(draw.most); ++count) {
+                if (!all && count != static_cast<int>(draw.least) && count != static_cast<int>(draw.most)) continue;
+                more.push_back(drawn);
+                more.back()[i].value = static_cast<double>(count);
+            }
+        sets = std::move(more);
+    }
+    for (const DrawnValues& drawn : sets) {
+        const auto value = drawnScenario(drawn);
+        if (!value) return tl::unexpected(value.error());
+        auto loaded = loadScenario(*value, library_, loading_);
+        if (!loaded) return tl::unexpected(told(loaded.error(), 1));
+        const Scenario scenario(std::move(loaded->parts));
+        const WorldState start = scenario.initialState();
+        const std::vector<RobotInsight> none(start.robots.size());
+        const auto compiled =
+            expressions_.of({.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn});
+        if (!compiled) return tl::unexpected(compiled.error());
+    }
+    return {};
 }
 
 }  // namespace mrose

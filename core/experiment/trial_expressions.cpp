@@ -26,7 +26,7 @@ std::string signatureOf(const Scene& scene) {
 
 std::vector<const FileExpression*> allOf(const Experiment& experiment) {
     std::vector<const FileExpression*> all{&experiment.require, &experiment.until};
-    for (const FileExpression& feature : experiment.features) all.push_back(&feature);
+    for (const Feature& feature : experiment.features) all.push_back(&feature.expression);
     for (const Measure& measure : experiment.measures) all.push_back(&measure.expression);
     return all;
 }
@@ -82,10 +82,16 @@ Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) co
     };
     Expected<void> done = condition(experiment_.require, all.require);
     if (done) done = condition(experiment_.until, all.until);
-    for (const FileExpression& feature : experiment_.features)
-        if (done) done = value(feature, all.features);
-    for (const Measure& measure : experiment_.measures)
+    for (const Feature& feature : experiment_.features)
+        if (done) done = value(feature.expression, all.features);
+    for (const Measure& measure : experiment_.measures) {
+        const bool holds =
+            measure.of == Measure::Of::seconds || measure.of == Measure::Of::times || measure.of == Measure::Of::first;
+        std::optional<Condition> truth;
+        // That it is true or false; of these, values are 1 and 0.
+        if (done && holds) done = condition(measure.expression, truth);
         if (done) done = value(measure.expression, all.measures);
+    }
     for (const FileExpression* one : allOf(experiment_))
         if (done) done = checkEntries(*one, start, experiment_.file);
     if (!done) return tl::unexpected(done.error());
@@ -101,7 +107,7 @@ Expected<void> TrialMeasurement::begin(const Moment& start) {
     looks_ = 0;
     for (std::size_t i = 0; i < expressions_.features.size(); ++i) {
         const auto value = expressions_.features[i].value(start);
-        if (!value) return tl::unexpected(experiment_.features[i].placed(value.error(), experiment_.file));
+        if (!value) return tl::unexpected(experiment_.features[i].expression.placed(value.error(), experiment_.file));
         features_.push_back(*value);
     }
     measures_.assign(experiment_.measures.size(), never);
@@ -119,7 +125,7 @@ Expected<double> TrialMeasurement::valueOf(std::size_t measure, const Moment& at
     return tl::unexpected(experiment_.measures[measure].expression.placed(value.error(), experiment_.file));
 }
 
-Expected<bool> TrialMeasurement::look(const Moment& at, double seconds) {
+Expected<bool> TrialMeasurement::look(const Moment& at) {
     ++looks_;
     for (std::size_t i = 0; i < measures_.size(); ++i) {
         const Measure::Of of = experiment_.measures[i].of;
@@ -131,7 +137,7 @@ Expected<bool> TrialMeasurement::look(const Moment& at, double seconds) {
         if (of == Measure::Of::least) measured = std::fmin(measured, *value);
         if (of == Measure::Of::most) measured = std::fmax(measured, *value);
         if (of == Measure::Of::mean) measured += (*value - measured) / static_cast<double>(looks_);
-        if (of == Measure::Of::seconds && holds) measured += seconds;
+        if (of == Measure::Of::seconds && holds) ++measured;  // looks, until the end
         if (of == Measure::Of::times && holds && !held_[i]) ++measured;
         held_[i] = holds;
         if (of == Measure::Of::first && holds) measured = toSeconds(at.now());
@@ -145,6 +151,8 @@ Expected<bool> TrialMeasurement::look(const Moment& at, double seconds) {
 Expected<void> TrialMeasurement::end(const Moment& at) {
     for (std::size_t i = 0; i < measures_.size(); ++i) {
         if (experiment_.measures[i].of == Measure::Of::mean && looks_ == 0) measures_[i] = never;
+        if (experiment_.measures[i].of == Measure::Of::seconds)
+            measures_[i] = toSeconds(static_cast<Nanoseconds>(measures_[i]) * between_);
         if (experiment_.measures[i].of != Measure::Of::end) continue;
         const auto value = valueOf(i, at);
         if (!value) return tl::unexpected(value.error());

@@ -36,13 +36,14 @@ private:
 /// What one run of a trial gives.
 class TrialMeasurement {
 public:
-    TrialMeasurement(const Experiment& experiment, CompiledExpressions& expressions)
-        : experiment_(experiment), expressions_(expressions) {}
+    /// `between`: from look to look.
+    TrialMeasurement(const Experiment& experiment, CompiledExpressions& expressions, Nanoseconds between)
+        : experiment_(experiment), expressions_(expressions), between_(between) {}
 
     /// Asks the features, at the run's start.
     Expected<void> begin(const Moment& start);
-    /// A look at it, `seconds` after the one before. Gives whether the trial is over.
-    Expected<bool> look(const Moment& at, double seconds);
+    /// A look at it. Gives whether the trial is over.
+    Expected<bool> look(const Moment& at);
     /// At its end, after the last look.
     Expected<void> end(const Moment& at);
 
@@ -54,6 +55,7 @@ private:
 
     const Experiment& experiment_;
     CompiledExpressions& expressions_;
+    Nanoseconds between_;
     std::vector<double> features_, measures_;
     std::vector<bool> held_;  ///< by measure, at the look before
     std::int64_t looks_ = 0;

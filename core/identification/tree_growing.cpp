@@ -149,6 +149,17 @@ private:
 
 }  // namespace
 
+DecisionTrees growMeanTrees(const PatternMatrix& inputs, std::span<const std::vector<double>> targets,
+                            const TreeOptions& options) {
+    const Grower grower(inputs, options);
+    DecisionTrees trees{inputs.features(), static_cast<int>(targets.size()), {}};
+    for (std::size_t output = 0; output < targets.size(); ++output)
+        grower.grow(
+            targets[output], static_cast<int>(output),
+            [](double weight, double value, double) { return value / weight; }, trees);
+    return trees;
+}
+
 DecisionTrees growReportTrees(const LikelihoodData& data, const std::vector<bool>& reports,
                               const TreeOptions& options) {
     const Grower grower(data.inputs, options);

@@ -15,7 +15,11 @@ struct TreeOptions {
     std::uint64_t seed = 1;
 };
 
-/// Regression trees, grown by OpenCV, whose leaves say the normal quantile of the share of `reports`, in the units of
+/// Regression trees, grown by OpenCV, for the mean of targets[output][pattern].
+DecisionTrees growMeanTrees(const PatternMatrix& inputs, std::span<const std::vector<double>> targets,
+                            const TreeOptions& options);
+
+/// Regression trees whose leaves say the normal quantile of the share of `reports`, in the units of
 /// data.outputs[0].
 DecisionTrees growReportTrees(const LikelihoodData& data, const std::vector<bool>& reports, const TreeOptions& options);
 

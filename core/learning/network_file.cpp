@@ -104,6 +104,21 @@ std::string mappingText(const DecisionTrees& trees) {
     return text + "]\n";
 }
 
+std::string mappingText(const NearestNeighbours& of) {
+    const auto width = static_cast<int>(of.read.size());
+    std::string text = "\n[nearest_neighbours]\nneighbours = " + std::to_string(of.neighbours) + "\nread = [";
+    for (int i = 0; i < width; ++i) text += (i > 0 ? ", " : "") + std::to_string(of.read[static_cast<std::size_t>(i)]);
+    text += "] # inputs, from 0\npatterns = [ # those inputs, then the outputs\n";
+    for (std::size_t p = 0; p < of.patterns(); ++p) {
+        std::vector<float> row(of.points.begin() + static_cast<std::ptrdiff_t>(p) * width,
+                               of.points.begin() + static_cast<std::ptrdiff_t>(p + 1) * width);
+        const auto values = of.values.begin() + static_cast<std::ptrdiff_t>(p) * of.outputs;
+        row.insert(row.end(), values, values + of.outputs);
+        text += "  " + rowText(row.data(), static_cast<int>(row.size())) + ",\n";
+    }
+    return text + "]\n";
+}
+
 LookupTable::Axis readAxis(TomlTable& table, int inputs) {
     LookupTable::Axis axis;
     axis.input = static_cast<int>(table.integer("input", 0, inputs - 1));
@@ -174,6 +189,25 @@ DecisionTrees readTrees(TomlTable part, int inputs, int outputs) {
         read.trees.push_back(std::move(tree));
     }
     if (read.nodeCount() > DecisionTrees::maxNodes) part.reject("trees", "have too many nodes");
+    part.rejectUnknown();
+    return read;
+}
+
+NearestNeighbours readNeighbours(TomlTable part, int inputs, int outputs) {
+    NearestNeighbours read{inputs, outputs, 1, {}, {}, {}};
+    read.neighbours = static_cast<int>(part.integer("neighbours", 1, std::int64_t{NearestNeighbours::maxNeighbours}));
+    for (const double input : part.someNumbers("read", 1, static_cast<std::size_t>(inputs), {0, inputs - 1.0})) {
+        if (input != std::floor(input) || (!read.read.empty() && input <= read.read.back()))
+            part.reject("read", "expected ascending whole numbers of inputs");
+        read.read.push_back(static_cast<int>(input));
+    }
+    const std::size_t width = read.read.size(), columns = width + static_cast<std::size_t>(outputs);
+    const std::vector<double> rows =
+        part.rows("patterns", columns, 1, NearestNeighbours::maxValues / std::max<std::size_t>(columns, 1), anyFloat);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        (i % columns < width ? read.points : read.values).push_back(static_cast<float>(rows[i]));
+    if (!part.failed() && read.neighbours > static_cast<int>(read.patterns()))
+        part.reject("neighbours", "are more than there are patterns");
     part.rejectUnknown();
     return read;
 }
@@ -344,6 +378,8 @@ Expected<LearnedNetwork> readNetworkFile(TomlTable& root, std::string_view kind,
     if (root.failed()) return tl::unexpected(root.error());
     if (family == RegressorFamily::table)
         network.regressor = readTable(root, inputs, outputs);
+    else if (family == RegressorFamily::neighbours)
+        network.regressor = readNeighbours(root.table("nearest_neighbours"), inputs, outputs);
     else if (family == RegressorFamily::trees)
         network.regressor = readTrees(root.table("decision_trees"), inputs, outputs);
     else

@@ -54,6 +54,15 @@ DecisionTrees withOutputs(const DecisionTrees& trees, int first, int count) {
     return part;
 }
 
+NearestNeighbours withOutputs(const NearestNeighbours& of, int first, int count) {
+    NearestNeighbours part{of.inputs, count, of.neighbours, of.read, of.points, {}};
+    for (std::size_t p = 0; p < of.patterns(); ++p) {
+        const auto from = of.values.begin() + static_cast<std::ptrdiff_t>(p) * of.outputs + first;
+        part.values.insert(part.values.end(), from, from + count);
+    }
+    return part;
+}
+
 std::vector<bool> readInputs(const Mlp& mlp) {
     const auto [inputs, hidden, outputs] = mlp.shape;
     std::vector<bool> read(static_cast<std::size_t>(inputs));
@@ -75,6 +84,12 @@ std::vector<bool> readInputs(const DecisionTrees& trees) {
     for (const DecisionTrees::Tree& tree : trees.trees)
         for (const DecisionTrees::Node& node : tree.nodes)
             if (node.input >= 0) read[static_cast<std::size_t>(node.input)] = true;
+    return read;
+}
+
+std::vector<bool> readInputs(const NearestNeighbours& of) {
+    std::vector<bool> read(static_cast<std::size_t>(of.inputs));
+    for (const int input : of.read) read[static_cast<std::size_t>(input)] = true;
     return read;
 }
 
@@ -112,6 +127,13 @@ DecisionTrees renumbered(DecisionTrees trees, int inputs, const NumberOf& number
         for (DecisionTrees::Node& node : tree.nodes)
             if (node.input >= 0) node.input = numberOf(node.input);
     return trees;
+}
+
+template <class NumberOf>
+NearestNeighbours renumbered(NearestNeighbours of, int inputs, const NumberOf& numberOf) {
+    of.inputs = inputs;
+    for (int& input : of.read) input = numberOf(input);
+    return of;
 }
 
 template <class Family>
@@ -164,6 +186,17 @@ LookupTable sideBySide(const LookupTable& a, const LookupTable& b) {
 DecisionTrees sideBySide(const DecisionTrees& a, const DecisionTrees& b) {
     DecisionTrees both{a.inputs, a.outputs + b.outputs, a.trees};
     for (const DecisionTrees::Tree& tree : b.trees) both.trees.push_back({tree.output + a.outputs, tree.nodes});
+    return both;
+}
+
+NearestNeighbours sideBySide(const NearestNeighbours& a, const NearestNeighbours& b) {
+    assert(a.points == b.points && a.read == b.read && a.neighbours == b.neighbours);
+    NearestNeighbours both{a.inputs, a.outputs + b.outputs, a.neighbours, a.read, a.points, {}};
+    for (std::size_t p = 0; p < a.patterns(); ++p)
+        for (const NearestNeighbours* of : {&a, &b}) {
+            const auto from = of->values.begin() + static_cast<std::ptrdiff_t>(p) * of->outputs;
+            both.values.insert(both.values.end(), from, from + of->outputs);
+        }
     return both;
 }
 
@@ -234,11 +267,12 @@ RegressorInference::RegressorInference(const Regressor& regressor)
 
 void RegressorInference::batch(const float* rows, float* out, std::size_t n) const {
     if (const auto* const network = std::get_if<MlpInference>(&ready_)) return network->batch(rows, out, n);
-    for (std::size_t i = 0; i < n; ++i, rows += inputs_, out += outputs_)
-        if (const auto* const table = std::get_if<LookupTable>(&ready_))
-            table->evaluate(rows, out);
-        else
-            std::get<DecisionTrees>(ready_).evaluate(rows, out);
+    std::visit(
+        [&](const auto& of) {
+            if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(of)>, MlpInference>)
+                for (std::size_t i = 0; i < n; ++i, rows += inputs_, out += outputs_) of.evaluate(rows, out);
+        },
+        ready_);
 }
 
 }  // namespace mrose

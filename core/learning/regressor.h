@@ -11,15 +11,18 @@
 #include "learning/lookup_table.h"
 #include "learning/mlp.h"
 #include "learning/mlp_inference.h"
+#include "learning/nearest_neighbours.h"
 
 namespace mrose {
 
 /// What maps the standardised inputs of something learned to its standardised outputs, by family.
-using Regressor = std::variant<Mlp, LookupTable, DecisionTrees>;
+using Regressor = std::variant<Mlp, LookupTable, DecisionTrees, NearestNeighbours>;
 
-enum class RegressorFamily { network, table, trees };
+enum class RegressorFamily { network, table, trees, neighbours };
 /// By RegressorFamily, which is the variant's index: as command lines and network files name them.
-constexpr std::array<std::string_view, 3> regressorFamilyNames{"network", "table", "trees"};
+constexpr std::array<std::string_view, 4> regressorFamilyNames{"network", "table", "trees", "neighbours"};
+/// Of what can be learned of logs: sensors.
+constexpr std::span<const std::string_view> sensorFamilyNames = std::span(regressorFamilyNames).first(3);
 inline RegressorFamily familyOf(const Regressor& regressor) { return static_cast<RegressorFamily>(regressor.index()); }
 constexpr std::string_view nameOf(RegressorFamily family) {
     return regressorFamilyNames[static_cast<std::size_t>(family)];
@@ -40,7 +43,8 @@ Regressor withInputs(const Regressor& regressor, std::span<const int> kept);
 /// The reverse: of `inputs` inputs it reads those that are listed, ascending, as its own.
 Regressor amongInputs(const Regressor& regressor, int inputs, std::span<const int> own);
 
-/// One mapping to the outputs of both, the first's before the second's: they are of one family and have equal inputs.
+/// One mapping to the outputs of both, the first's before the second's: they are of one family and have equal inputs;
+/// neighbours have the same points, too.
 Regressor sideBySide(const Regressor& first, const Regressor& second);
 
 /// A regressor made ready for evaluation; const, so that threads may share it. A row's outputs have the same bits
@@ -59,7 +63,7 @@ public:
 
 private:
     int inputs_, outputs_;
-    std::variant<MlpInference, LookupTable, DecisionTrees> ready_;
+    std::variant<MlpInference, LookupTable, DecisionTrees, NearestNeighbours> ready_;
 };
 
 }  // namespace mrose

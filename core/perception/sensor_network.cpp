@@ -194,9 +194,10 @@ std::string sensorText(const SensorNetwork& network) { return networkFileText(ne
 Expected<SensorNetwork> parseSensor(std::string_view text, const std::string& file) {
     TomlTable root(text, file);
     SensorNetwork network;
-    auto learned = readNetworkFile(root, SensorNetwork::kind, [&](TomlTable& section, const LearnedNetwork& general) {
+    const auto readPart = [&](TomlTable& section, const LearnedNetwork& general) {
         readSection(section, general, network);
-    });
+    };
+    auto learned = readNetworkFile(root, SensorNetwork::kind, readPart, sensorFamilyNames);
     if (!learned) return tl::unexpected(learned.error());
     network.learned = std::move(*learned);
     return network;

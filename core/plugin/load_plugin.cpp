@@ -50,7 +50,9 @@ public:
     const PluginLandmark* landmark(std::uint32_t index) override {
         return index < landmarks_.all.size() ? &landmarks_.all[index] : nullptr;
     }
-    void reject(const char* key, const char* cause) override { table_.reject(key, cause); }
+    void reject(const char* key, const char* cause) override {
+        (mappings_.has(key) ? mappings_ : table_).reject(key, cause);
+    }
     void rejectUnknown() {
         mappings_.rejectUnknown();
         table_.rejectUnknown();

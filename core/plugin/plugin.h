@@ -4,6 +4,7 @@
 // shows how to write one. Nothing has to be linked: what these headers declare is in the program that loads it.
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <type_traits>
 
@@ -28,6 +29,9 @@ public:
     /// The learned mapping that the scenario's table `mappings` names by `key`; nullptr: it names none. It lives as
     /// long as the controller does.
     virtual const LearnedMapping* mapping(const char* key) = 0;
+    /// The same, which must read and give what is named here, in this order; otherwise the plug-in is refused.
+    const LearnedMapping* mapping(const char* key, std::initializer_list<const char*> inputs,
+                                  std::initializer_list<const char*> outputs);
     /// The landmark that SeenBody::index means in a reading NAME.landmarks; nullptr: there are not so many. It lives as
     /// long as the controller does.
     virtual const PluginLandmark* landmark(std::uint32_t index) = 0;
@@ -38,9 +42,24 @@ protected:
     ~PluginOptions() = default;
 };
 
+inline const LearnedMapping* PluginOptions::mapping(const char* key, std::initializer_list<const char*> inputs,
+                                                    std::initializer_list<const char*> outputs) {
+    const LearnedMapping* const found = mapping(key);
+    if (found == nullptr) return nullptr;
+    std::string theirs, ours;
+    for (std::size_t i = 0; i < found->inputs(); ++i) theirs += std::string(found->input(i).name) + ' ';
+    for (const char* const name : inputs) ours += std::string(name) + ' ';
+    theirs += "->", ours += "->";
+    for (std::size_t i = 0; i < found->outputs(); ++i) theirs += std::string(" ") + found->output(i).name;
+    for (const char* const name : outputs) ours += std::string(" ") + name;
+    if (theirs == ours) return found;
+    reject(key, ("maps " + theirs + "; expected " + ours).c_str());
+    return nullptr;
+}
+
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 6;
+constexpr std::uint32_t pluginInterface = 7;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {

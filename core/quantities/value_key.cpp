@@ -101,17 +101,6 @@ std::uint32_t ballOf(const Scene& scene) {
     return noBody;
 }
 
-/// The unit of a part's entry; "" where it is not known yet.
-std::string entryUnit(const Scenario& scenario, const BoundValue& value) {
-    const WorldState start = scenario.initialState();
-    const Moment moment{&scenario, &start};
-    for (const auto& entries :
-         {knownEntries(moment, value.body, value.other), partEntries(moment, value.body, value.other)})
-        for (const MemoryEntry& entry : entries)
-            if (entry.name == value.item) return entry.unit;
-    return {};
-}
-
 }  // namespace
 
 QuantityValue BoundValue::value(const Moment& at) const {
@@ -155,6 +144,21 @@ std::string pathOf(const Scenario& scenario, const BoundValue& value) {
     return body + '.' + key.quantity + (key.of.empty() ? "" : quoted(key.of));
 }
 
+Expected<std::string> entryUnit(const Scenario& scenario, const BoundValue& value) {
+    const WorldState start = scenario.initialState();
+    const Moment moment{&scenario, &start};
+    const std::vector<MemoryEntry> known = knownEntries(moment, value.body, value.other);
+    std::vector<std::string> names;
+    for (const auto& entries : {known, partEntries(moment, value.body, value.other)})
+        for (const MemoryEntry& entry : entries) {
+            if (entry.name == value.item) return entry.unit;
+            names.push_back(entry.name);
+        }
+    if (known.empty()) return std::string();
+    return fail({}, "there is no " + value.item + " of " + partNames(scenario, value.body)[value.other] + "; it has " +
+                        nearestNames(value.item, names));
+}
+
 std::optional<ValueKey> keyOfPath(const Scenario& scenario, const std::string& path) {
     static const std::regex form(
         R"re(\s*(?:(robot|person|object)\[(?:"([^"\\]*)"|'([^'\\]*)'|(\d{1,9}))\]|(ball))\.(\w+)(?:\.(\w+)|\["([^"\\]*)"\])?\s*)re");
@@ -171,7 +175,7 @@ std::optional<ValueKey> keyOfPath(const Scenario& scenario, const std::string& p
     }
     const std::optional<BoundValue> value = boundTo(scenario, key);
     if (!value) return {};
-    if (value->quantity == &partQuantity()) key.unit = entryUnit(scenario, *value);
+    if (value->quantity == &partQuantity()) key.unit = entryUnit(scenario, *value).value_or("");
     return key;
 }
 

@@ -43,6 +43,10 @@ struct BoundValue {
 Expected<BoundValue> boundValue(const Scenario& scenario, const ValueKey& key);
 ValueKey keyOf(const Scenario& scenario, const BoundValue& value);
 
+/// The unit of what a part remembers or reports, as far as it is known at a run's start; "" where it is not. Error: the
+/// part cannot have such an entry; with those that it has.
+Expected<std::string> entryUnit(const Scenario& scenario, const BoundValue& value);
+
 /// As conditions spell it: robot["red 2"].speed.
 std::string pathOf(const Scenario& scenario, const BoundValue& value);
 /// What such a spelling of a body's quantity or entry stands for, also by number, robot[2].speed, and as ball.speed;

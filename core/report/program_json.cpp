@@ -207,6 +207,26 @@ std::string experimentJson(const ExperimentSummary& summary, const std::string& 
     return json.dump(2);
 }
 
+std::string learnedTaskJson(const TaskData& data, std::size_t heldOut, const std::vector<TaskScore>& scores,
+                            const std::string& file) {
+    Printed json{{"network", file},
+                 {"target", data.target},
+                 {"inputs", data.inputs},
+                 {"rows", data.rows()},
+                 {"held_out", heldOut},
+                 {"left_out", {{"unfinished", data.unfinished}, {"faulty", data.faulty}, {"unknown", data.unknown}}}};
+    for (const TaskScore& score : scores)
+        json["scores"].push_back({{"name", score.name},
+                                  {"rows", score.rows},
+                                  {"share", score.share},
+                                  {"share_low", score.shareLow},
+                                  {"share_high", score.shareHigh},
+                                  {"mean_absolute", score.absolute},
+                                  {"root_mean_square", score.rootMeanSquare},
+                                  {"bias", score.bias}});
+    return json.dump(2);
+}
+
 std::string replayJson(const Recording& recording, const ReplayReport& report) {
     const auto& difference = report.difference;
     Printed json{{"ticks", report.ticks},

@@ -11,6 +11,7 @@
 #include "perception/sensor_network.h"
 #include "recording/recording.h"
 #include "recording/replay.h"
+#include "tasks/task_learning.h"
 
 namespace mrose {
 
@@ -36,6 +37,10 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
 std::string batchJson(const BatchSummary& summary, const std::string& folder);
 
 std::string experimentJson(const ExperimentSummary& summary, const std::string& folder);
+
+/// `heldOut`: rows; `file`: the network's.
+std::string learnedTaskJson(const TaskData& data, std::size_t heldOut, const std::vector<TaskScore>& scores,
+                            const std::string& file);
 
 std::string replayJson(const Recording& recording, const ReplayReport& report);
 

@@ -76,8 +76,9 @@ Expected<OpenedRun> openToRun(const OpenRequest& request, const OpenProgress& pr
     auto& [loaded, plugins, scenario, notes, trial] = *opened;
     OpenedRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
     if (request.seed) run.start = scenario->initialState(*request.seed);
-    if (request.trial > 0) run.name += ", trial " + std::to_string(request.trial);
-    if (!request.variant.empty()) run.name += ", " + request.variant;
+    const std::uint32_t number = trial ? trial->number : request.trial;
+    if (number > 0) run.name += ", trial " + std::to_string(number);
+    if (trial && !trial->variant.empty()) run.name += ", " + trial->variant;
     run.setup = std::make_shared<const BranchSetup>(
         BranchSetup{std::make_shared<const ScenarioValue>(std::move(loaded.value)), std::move(scenario)});
     run.files = std::move(plugins);

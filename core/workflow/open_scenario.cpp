@@ -9,6 +9,7 @@
 #include "experiment/trial.h"
 #include "io/file.h"
 #include "io/format.h"
+#include "io/shell_quoted.h"
 #include "scenario/start_check.h"
 #include "scenario/variation.h"
 #include "workflow/resources.h"
@@ -73,6 +74,26 @@ Expected<LoadedScenario> loadOverridden(const ScenarioRequest& request, Descript
     return loadScenario(*value, source, {plugins});
 }
 
+/// Reads each text once: what comes through a pipe is gone then.
+class ReadOnce final : public DescriptionSource {
+public:
+    explicit ReadOnce(DescriptionSource& from) : from_(from) {}
+
+    Expected<std::optional<std::string>> text(const std::string& name) override {
+        const auto found = texts_.find(name);
+        if (found != texts_.end()) return found->second;
+        return texts_.emplace(name, from_.text(name)).first->second;
+    }
+    Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) override {
+        return from_.excerpt(excerpt);
+    }
+    std::string shown(const std::string& name) const override { return from_.shown(name); }
+
+private:
+    DescriptionSource& from_;
+    std::map<std::string, Expected<std::optional<std::string>>> texts_;
+};
+
 /// A trial of an experiment.
 Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioRequest& request,
                                    const PluginLoader& plugins, OpenedTrial& opened) {
@@ -82,33 +103,39 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
         request.variant.empty() ? variants.begin() : std::find_if(variants.begin(), variants.end(), isAsked);
     if (variant == variants.end()) {
         std::string names;
-        for (const Variant& one : variants) names += (names.empty() ? "\"" : ", \"") + one.name + '"';
-        return fail(experiment.file, "has no variant \"" + request.variant + "\"; expected one of " + names);
+        for (const Variant& one : variants)
+            if (!one.name.empty()) names += (names.empty() ? "one of " : ", ") + shellQuoted(one.name);
+        return fail(experiment.file, "has no variant " + shellQuoted(request.variant) + "; expected " +
+                                         (names.empty() ? "none, it has no variants" : names));
     }
     TrialExpressions expressions(experiment);
-    auto trial = TrialMaker(experiment, expressions, {plugins}).make(std::max(request.trial, 1u));
+    const std::uint32_t number = std::max(request.trial, 1u);
+    auto trial = TrialMaker(experiment, expressions, {plugins}).make(number);
     if (!trial) return tl::unexpected(trial.error());
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
-    opened = {experiment.file, std::move(trial->drawn), experiment.until,
-              ticksBetweenLooks(experiment, loaded.parts.scene)};
+    opened = {experiment.file,         number,           variant->name,
+              std::move(trial->drawn), experiment.until, ticksBetweenLooks(experiment, loaded.parts.scene)};
     return std::move(loaded);
 }
 
 }  // namespace
 
-Expected<std::optional<Experiment>> openExperiment(const std::string& file, const std::vector<std::string>& overrides,
-                                                   DescriptionSource& source) {
+Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file,
+                                                         const std::vector<std::string>& overrides,
+                                                         DescriptionSource& source) {
     constexpr std::string_view folders[] = {"resources/experiments", "resources/scenarios"};
     const auto found = DescriptionLibrary(source).file(file, folders);
-    if (!found || !isExperiment((*found)->content)) return std::optional<Experiment>();
+    if (!found || !isExperiment((*found)->content)) return std::optional<OpenedExperiment>();
     auto experiment = readExperiment(*found, source);
-    if (!experiment || overrides.empty()) return experiment;
-    auto value = overridden(std::move(experiment->scenario), overrides);
-    if (!value) return tl::unexpected(value.error());
-    auto loaded = loadScenario(*value, source, {.checkStarts = false});
-    if (!loaded) return tl::unexpected(loaded.error());
-    experiment->scenario = std::move(loaded->value);
-    return experiment;
+    if (!experiment) return tl::unexpected(experiment.error());
+    if (!overrides.empty()) {
+        auto value = overridden(std::move(experiment->scenario), overrides);
+        if (!value) return tl::unexpected(value.error());
+        auto loaded = loadScenario(*value, source, {.checkStarts = false});
+        if (!loaded) return tl::unexpected(loaded.error());
+        experiment->scenario = std::move(loaded->value);
+    }
+    return std::optional(OpenedExperiment{std::move(*experiment), (*found)->content});
 }
 
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {
@@ -116,7 +143,8 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {
     return openScenario(request, source);
 }
 
-Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& source) {
+Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& from) {
+    ReadOnce source(from);
     std::map<std::string, std::string> hashes;
     const PluginLoader load = pluginLoader(request.plugins);
     const PluginLoader hashed = [&](const std::string& path, const std::string& options) {
@@ -128,7 +156,7 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
     std::optional<OpenedTrial> trial;
     Expected<LoadedScenario> loaded;
     if (*experiment) {
-        loaded = loadTrial(**experiment, request, hashed, trial.emplace());
+        loaded = loadTrial((*experiment)->experiment, request, hashed, trial.emplace());
     } else if (!request.variant.empty()) {
         return fail(request.file, "is no experiment, and has no variant \"" + request.variant + '"');
     } else {

@@ -28,6 +28,8 @@ struct ScenarioRequest {
 /// What an experiment says of one of its trials beside the scenario.
 struct OpenedTrial {
     std::string file;  ///< the experiment's
+    std::uint32_t number = 0;
+    std::string variant;
     DrawnValues drawn;
     FileExpression until;
     std::int64_t every = 1;  ///< ticks from look to look
@@ -47,10 +49,15 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request);
 /// The same of descriptions from elsewhere than the disk, instead of `request.log` too.
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& source);
 
-/// The experiment that a file describes, with what is overridden in its scenario; nullopt: it is another file, or none.
-/// Error: the first thing wrong in it.
-Expected<std::optional<Experiment>> openExperiment(const std::string& file, const std::vector<std::string>& overrides,
-                                                   DescriptionSource& source);
+/// An experiment, with what is overridden in its scenario.
+struct OpenedExperiment {
+    Experiment experiment;
+    Value content;  ///< of its file
+};
+/// nullopt: `file` describes something else, or there is none. Error: the first thing wrong in it.
+Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file,
+                                                         const std::vector<std::string>& overrides,
+                                                         DescriptionSource& source);
 
 /// A sentence for each body that starts outside the walls, of the first ten: most are a mistake.
 std::vector<std::string> startsOutsideText(const Scene& scene);

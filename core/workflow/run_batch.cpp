@@ -55,6 +55,8 @@ Expected<BatchSummary> runBatch(const BatchRequest& request, const BatchWatch& w
     asWritten.trial = 0;
     const auto opened = openScenario(asWritten);
     if (!opened) return tl::unexpected(opened.error());
+    if (opened->trial)
+        return fail(request.scenario.file, "describes an experiment; expected a scenario, or mrose experiment");
     if (watch.opened) watch.opened(*opened);
     if (const auto until = openCondition(request.until, *opened->scenario); !until)
         return tl::unexpected(until.error());

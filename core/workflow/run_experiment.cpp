@@ -41,17 +41,19 @@ BatchIdentity identityOf(const Value& content, const Experiment& experiment, con
 
 Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, const ExperimentWatch& watch) {
     DiskDescriptions source = openDescriptions();
-    constexpr std::string_view folders[] = {"resources/experiments", "resources/scenarios"};
-    const auto file = DescriptionLibrary(source).file(request.file, folders);
-    if (!file) return tl::unexpected(file.error());
-    if (!isExperiment((*file)->content)) {
+    auto opened = openExperiment(request.file, request.overrides, source);
+    if (!opened) return tl::unexpected(opened.error());
+    if (!*opened) {
+        // Why it is none, its reader says; what was read once may be there no more.
+        constexpr std::string_view folders[] = {"resources/experiments"};
+        const auto file = DescriptionLibrary(source).file(request.file, folders);
+        if (!file) return tl::unexpected(file.error());
         const auto wrong = readExperiment(*file, source);
-        return tl::unexpected(wrong.error());
+        return wrong ? fail(request.file, "is no experiment") : tl::unexpected(wrong.error());
     }
-    auto experiment = openExperiment(request.file, request.overrides, source);
-    if (!experiment) return tl::unexpected(experiment.error());
-    if (request.trials) (*experiment)->trials = *request.trials;
-    if (watch.opened) watch.opened(**experiment);
+    Experiment& experiment = (*opened)->experiment;
+    if (request.trials) experiment.trials = *request.trials;
+    if (watch.opened) watch.opened(experiment);
     ExperimentOptions options;
     // A plug-in's file is named by the scenario's folder: what is in it is part of what the rows depend on.
     std::mutex mutex;
@@ -66,18 +68,18 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
         return load(path, with);
     };
     {
-        TrialExpressions expressions(**experiment);
-        if (const auto first = TrialMaker(**experiment, expressions, options.loading).make(1); !first)
+        TrialExpressions expressions(experiment);
+        if (const auto first = TrialMaker(experiment, expressions, options.loading).make(1); !first)
             return tl::unexpected(first.error());
     }
     options.command = repeated("mrose run", request);
     options.window = repeated("mrose-gui", request);
-    options.identity = identityOf((*file)->content, **experiment, request);
+    options.identity = identityOf((*opened)->content, experiment, request);
     for (const auto& [path, hash] : plugins) options.identity[std::string(contentOf) + path] = hash;
     options.begins = watch.runBegins;
     options.progress = watch.progress;
     options.goesOn = watch.goesOn;
-    return runExperiment(**experiment, options, request.folder);
+    return runExperiment(experiment, options, request.folder);
 }
 
 }  // namespace mrose

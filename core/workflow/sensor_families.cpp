@@ -83,13 +83,12 @@ Expected<std::vector<SensorNetwork>> learnOtherFamilies(const SensorNetwork& net
     request.latency = toSeconds(network.latency);
     request.training.seed = network.learned.training.seed;
     std::vector<SensorNetwork> others;
-    for (std::size_t i = 0; i < regressorFamilyNames.size(); ++i) {
+    for (std::size_t i = 0; i < sensorFamilyNames.size(); ++i) {
         request.training.family = static_cast<RegressorFamily>(i);
         if (request.training.family == familyOf(network.learned.regressor)) continue;
         const double done = static_cast<double>(others.size());
-        auto trained = trainSensor(request, [&](double share) {
-            return mayGoOn(progress, (done + share) / (regressorFamilyNames.size() - 1));
-        });
+        auto trained = trainSensor(
+            request, [&](double share) { return mayGoOn(progress, (done + share) / (sensorFamilyNames.size() - 1)); });
         if (!trained) return tl::unexpected(trained.error());
         others.push_back(std::move(trained->network));
     }

@@ -143,12 +143,12 @@ TEST_F(BatchProgram, FoldersOfOtherBatchesAreRefused) {
         words.insert(words.end(), more.begin(), more.end());
         const bool other = more[0] == "--trials";
         expectOneLine(play("batch", words),
-                      {path("out") + (other ? ": holds results of another batch: --" : ": holds a run of trial ")});
+                      {path("out") + (other ? ": holds other results: --" : ": holds a run of trial ")});
     }
     write("it's a game.toml", replaced(read("it's a game.toml"), "random_factor = 0.1", "random_factor = 0.2"));
     expectOneLine(
         runMrose({"batch", path("it's a game.toml"), "--trials", "2", "--duration", "0.2", "-o", path("out")}),
-        {"holds results of another batch"});
+        {"holds other results"});
     EXPECT_EQ(read("out/results.csv"), before);
 }
 
@@ -260,7 +260,7 @@ TEST_F(LongBatch, OfManyStartsInANewFolderOneGoesOn) {
         program->send(SIGINT);
         const ProgramResult result = program->finish();
         atWork += result.status == 130 ? 1 : 0;
-        if (result.status != 130) expectOneLine(result, {path("out") + ": another mrose batch is at work in it"});
+        if (result.status != 130) expectOneLine(result, {path("out") + ": another mrose is at work in it"});
     }
     EXPECT_EQ(atWork, 1);
     EXPECT_EQ(listing(),

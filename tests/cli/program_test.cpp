@@ -80,7 +80,7 @@ TEST_F(Program, OutputsThatAreThereAreReplacedOnlyWhenAsked) {
 
 TEST_F(Program, WrongUsageIsOneLineAndStatusTwo) {
     expectOneLine(runMrose({}), {"--help"}, 2);
-    expectOneLine(runMrose({"learn"}), {"learn"}, 2);
+    expectOneLine(runMrose({"teach"}), {"teach"}, 2);
     expectOneLine(runMrose({"train", log()}), {"--output", "required"}, 2);
     expectOneLine(runMrose({"inspect", log(), "--threads", "many"}), {"--threads", "many"}, 2);
     expectOneLine(runMrose({"inspect", log(), "--colour"}), {"--colour"}, 2);

@@ -233,7 +233,7 @@ TEST_F(Batch, OtherBatchesAreRefused) {
     const auto refused = [&] {
         const auto other = run("out");
         EXPECT_FALSE(other);
-        return !other && other.error().message().find("holds results of another batch") != std::string::npos;
+        return !other && other.error().message().find("holds other results") != std::string::npos;
     };
     const BatchOptions same = options_;
     options_.identity["scenario"] = "another.toml";

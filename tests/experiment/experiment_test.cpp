@@ -1,5 +1,6 @@
 #include "experiment/experiment.h"
 
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -165,7 +166,7 @@ TEST_F(ExperimentTest, RowsAreTheSameForAnyNumberOfThreadsAndResumed) {
     EXPECT_EQ(results("one"), results("eight"));
     // Stopped after some rows, it goes on with the rest, and repeats none.
     int begun = 0;
-    std::int64_t done = 0;
+    std::atomic<std::int64_t> done = 0;
     options_.progress = [&](std::int64_t now, std::int64_t) { done = now; };
     options_.goesOn = [&] { return done < 10; };
     const auto stopped = run(lane, "resumed");
@@ -297,21 +298,28 @@ to = 5.5
     const Experiment never = experiment("trials = 2\nrequire = 'robot[1].x > 5'\n");
     const auto refused = run(never, "never");
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message(), HasSubstr("x.toml: in a hundred draws of trial 1"));
+    EXPECT_THAT(refused.error().message(), testing::StartsWith("x.toml:6:11: require: in a hundred draws of trial 1"));
 }
 
 TEST_F(ExperimentTest, WrongExpressionsAreToldWithTheirPlaceBeforeTheFirstTrial) {
     EXPECT_THAT(refusedRun("trials = 2\nuntil = 'robot[1].sped > 1'\n"),
                 testing::StartsWith("x.toml:6:19: until: there is no 'sped'"));
     EXPECT_THAT(refusedRun("trials = 2\n[features]\na = '1'\nbc = 'robot[2].x'\n"),
-                testing::StartsWith("x.toml:8:13: bc: there is no robot 2"));
-    EXPECT_THAT(refusedRun("trials = 2\n[measures]\nm = { most = 'ball.x' }\n"), HasSubstr("m.most: there is no ball"));
+                testing::StartsWith("x.toml:8:13: features.bc: there is no robot 2"));
+    EXPECT_THAT(refusedRun("trials = 2\n[measures]\nm = { most = 'ball.x' }\n"),
+                HasSubstr("measures.m.most: there is no ball"));
     EXPECT_THAT(refusedRun("trials = 2\n[measures]\nm = 'draw.z'\n"),
-                HasSubstr("x.toml:7:11: m: there is no draw 'z': there is none"));
+                HasSubstr("x.toml:7:11: measures.m: there is no draw 'z': there is none"));
     EXPECT_THAT(refusedRun("trials = 2\nuntil = '1 + '\n"), testing::StartsWith("x.toml:6:"));
     EXPECT_THAT(refusedRun("trials = 2\nuntil = '1 + 1'\n"), HasSubstr("until: gives the number 2"));
     EXPECT_THAT(refusedRun("trials = 2\nuntil = 'robot[1].controller.stat == 1'\n"),
                 HasSubstr("until: there is no 'stat' in 'controller'"));
+    // Whatever bodies are there, as of a later trial.
+    EXPECT_THAT(refusedRun("trials = 2\n[[draw]]\nname = \"n\"\nbodies = [\"box 2\"]\n[measures]\n"
+                           "m = 'object[\"box 2\"].x'\n"),
+                HasSubstr("measures.m: there is no object 'box 2'"));
+    EXPECT_THAT(refusedRun("trials = 2\n[measures]\nm = { seconds = 'robot[1].speed' }\n"),
+                HasSubstr("measures.m.seconds: gives the number 0.0; expected true or false"));
     EXPECT_THAT(refusedRun("trials = 2\n[[draw]]\nname = \"a\"\nvalue = 'draw.b'\n"),
                 HasSubstr("draw[\"a\"].value: there is no draw 'b'"));
 }
@@ -332,6 +340,17 @@ TEST_F(ExperimentTest, WhatIsWrongWithAFileIsOneLine) {
     EXPECT_THAT(draw("bodies = [\"box 3\"]\n"), HasSubstr("bodies[1]: is the name of no body"));
     EXPECT_THAT(draw("path = \"robot[3].start.x_m\"\nfrom = 0\nto = 1\n"),
                 HasSubstr("robot[3].start.x_m: names nothing"));
+    EXPECT_THAT(draw("bodies = [\"box 1\", \"box 1\"]\n"), HasSubstr("bodies[2]: is there twice"));
+    EXPECT_THAT(draw("path = \"seed\"\nfrom = 0\nto = 1\n"), HasSubstr("path: \"seed\" is not for draws"));
+    EXPECT_THAT(draw("path = []\nfrom = 0\nto = 1\n"), HasSubstr("path: expected at least one"));
+    EXPECT_THAT(
+        draw("path = \"seed_\"\nfrom = 0\nto = 1\n[[draw]]\nname = \"b\"\npath = \"seed_\"\nfrom = 0\nto = 1\n"),
+        HasSubstr("draw[\"b\"].path: seed_ is that of another draw, too"));
+    EXPECT_THAT(refusal("trials = 1\n[[draw]]\nname = \"end\"\nfrom = 0\nto = 1\n"), HasSubstr("is a word of Lua"));
+    EXPECT_THAT(refusal("trials = 1\nevery_s = 5.0\n"), HasSubstr("every_s: is longer than a run"));
+    EXPECT_THAT(refusal("trials = 1\n[set]\n\"robot[1].sped\" = 1\n"), HasSubstr("x.toml:7:19: set.robot[1].sped: "));
+    EXPECT_THAT(refusal("trials = 1\n[[variant]]\nname = \"v\"\nset = { seed = 3 }\n"),
+                HasSubstr("set.seed: is the experiment's"));
     EXPECT_THAT(draw("path = \"robot[1].type\"\nof = [\"none.toml\"]\n"), HasSubstr("\"none.toml\" was not found"));
     EXPECT_THAT(draw("from = 0\nto = 1\n[[draw]]\nname = \"a\"\nfrom = 0\nto = 1\n"),
                 HasSubstr("is the name of another draw"));
@@ -343,8 +362,31 @@ TEST_F(ExperimentTest, WhatIsWrongWithAFileIsOneLine) {
         experiment("trials = 1\n[[draw]]\nname = \"a\"\npath = \"robot[1].start.z_m\"\nfrom = 0\nto = 1\n");
     const auto refused = run(misspelt, "misspelt");
     ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), testing::StartsWith("x.toml:7:8: draw[\"a\"]: "));
     EXPECT_THAT(refused.error().message(), HasSubstr("z_m: is not a known key"));
     EXPECT_THAT(refused.error().message(), HasSubstr("(trial 1)"));
+}
+
+TEST_F(ExperimentTest, WhatIsSetHoldsForAllTrials) {
+    const Experiment lane = experiment(
+        "trials = 2\n[set]\n\"robot[1].controller.commands[1].v_mps\" = 0.1\n"
+        "\"robot[1].type.motion_noise\" = { }\n[measures]\nway = 'robot[1].x'\n");
+    ASSERT_TRUE(run(lane));
+    for (const auto& row : rows()) EXPECT_NEAR(number(row.at("measure.way")), 0.4, 1e-9);
+}
+
+TEST_F(ExperimentTest, ResultsOfABatchAreNotReplaced) {
+    ASSERT_TRUE(writeFileAtomically(folder_.path() / "batch.txt", "mrose = 1\n"));
+    for (const std::string name : {"results.csv", "results.part.csv"}) {
+        const std::string rows =
+            (name == "results.csv" ? "trial,seed,end,time_s\n" : std::string()) + "1,1,duration,4.0\n";
+        ASSERT_TRUE(writeFileAtomically(folder_.path() / name, rows));
+        const auto refused = run(experiment("trials = 1\n"), ".");
+        ASSERT_FALSE(refused);
+        EXPECT_THAT(refused.error().message(), HasSubstr("holds results of a batch; expected an empty folder"));
+        EXPECT_EQ(readFile(folder_.path() / name).value_or(""), rows);
+        std::filesystem::remove(folder_.path() / name);
+    }
 }
 
 TEST_F(ExperimentTest, FolderOfAnotherExperimentIsRefused) {
@@ -354,7 +396,7 @@ TEST_F(ExperimentTest, FolderOfAnotherExperimentIsRefused) {
     options_.identity = {{"content of the experiment", "2"}};
     const auto other = run(lane);
     ASSERT_FALSE(other);
-    EXPECT_THAT(other.error().message(), HasSubstr("holds results of another batch"));
+    EXPECT_THAT(other.error().message(), HasSubstr("holds other results: the content of the experiment has changed"));
 }
 
 }  // namespace

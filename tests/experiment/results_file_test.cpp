@@ -92,14 +92,15 @@ TEST_F(Results, FoldersOfOthersAreRefusedAndLeftAlone) {
     const auto other = open({{"--duration", "3.0"}});
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error().message(), (folder_.path() / "out").string() +
-                                           ": holds results of another batch: --duration was 2.0 and is 3.0; expected "
-                                           "an empty folder, or the same batch");
-    EXPECT_EQ(read("batch.txt"), "--duration = 2.0\n");
+                                           ": holds other results: --duration was 2.0 and is 3.0; expected "
+                                           "an empty folder, or the same batch or experiment");
+    EXPECT_EQ(read("batch.txt"), "--duration = 2.0\nend of this file\n");
     EXPECT_EQ(read("results.part.csv"), "1,1,a\n");
     std::filesystem::remove(folder_.path() / "out" / "batch.txt");
     const auto foreign = open();
     ASSERT_FALSE(foreign);
-    EXPECT_NE(foreign.error().message().find("holds results of no batch; expected an empty folder"), std::string::npos);
+    EXPECT_NE(foreign.error().message().find("holds results of no batch and no experiment; expected an empty folder"),
+              std::string::npos);
     EXPECT_EQ(read("batch.txt"), "none");
 }
 
@@ -120,8 +121,8 @@ TEST_F(Results, WhatDiffersIsTold) {
         const auto refused = open(other);
         return refused ? "" : refused.error().message().substr((folder_.path() / "out").string().size());
     };
-    const std::string begin = ": holds results of another batch: ",
-                      end = "; expected an empty folder, or the same batch";
+    const std::string begin = ": holds other results: ",
+                      end = "; expected an empty folder, or the same batch or experiment";
     EXPECT_EQ(told("scenario", "b.toml"), begin + "scenario was a.toml and is b.toml" + end);
     EXPECT_EQ(told("--log", "x"), begin + "--log was not given and is x" + end);
     EXPECT_EQ(told("--until", ""), begin + "--until was a = b?\\n = c and is not given" + end);
@@ -136,13 +137,14 @@ TEST_F(Results, WhatIsCutOffIsSaidToBeDamaged) {
         ASSERT_TRUE(file && file->add({1, 1}, "1,1,a"));
     }
     const std::string whole = read("batch.txt");
+    const std::size_t lastLine = whole.rfind("end of this file");
     for (std::size_t size = 0; size + 1 < whole.size(); ++size) {
+        if (size == lastLine || size + 1 == lastLine) continue;  // all is said
         folder_.write("out/batch.txt", whole.substr(0, size));
         const auto refused = open(identity);
         ASSERT_FALSE(refused) << size;
-        EXPECT_NE(
-            refused.error().message().find("batch.txt: is damaged and does not say any more which batch's results"),
-            std::string::npos)
+        EXPECT_NE(refused.error().message().find("batch.txt: is damaged and does not say any more whose results"),
+                  std::string::npos)
             << size << ' ' << refused.error().message();
     }
     folder_.write("out/batch.txt", whole);
@@ -154,7 +156,7 @@ TEST_F(Results, OneBatchAtATime) {
     ASSERT_TRUE(first);
     const auto second = open();
     ASSERT_FALSE(second);
-    EXPECT_NE(second.error().message().find("another mrose batch is at work in it"), std::string::npos);
+    EXPECT_NE(second.error().message().find("another mrose is at work in it"), std::string::npos);
     EXPECT_TRUE(first->add({1, 1}, "1,1,a"));
     EXPECT_EQ(read("results.part.csv"), "1,1,a\n");
 }
@@ -172,11 +174,11 @@ TEST_F(Results, OfManyThatBeginAtOnceOneHasTheFolder) {
         for (const auto& one : opened)
             if (*one)
                 ++holders;
-            else if (one->error().cause != "another mrose batch is at work in it")
+            else if (one->error().cause != "another mrose is at work in it")
                 errors += one->error().message() + '\n';
         ASSERT_EQ(errors, "");
         ASSERT_EQ(holders, 1);
-        ASSERT_EQ(read("batch.txt"), "--duration = 2.0\n");
+        ASSERT_EQ(read("batch.txt"), "--duration = 2.0\nend of this file\n");
     }
 }
 
@@ -185,7 +187,7 @@ TEST_F(Results, FolderOfABatchWithoutARowIsLockedWhileItBecomesAnother) {
     ASSERT_TRUE(open());
     const auto mine = open({{"--duration", "3.0"}});
     ASSERT_TRUE(mine) << mine.error().message();
-    EXPECT_EQ(read("batch.txt"), "--duration = 3.0\n");
+    EXPECT_EQ(read("batch.txt"), "--duration = 3.0\nend of this file\n");
     EXPECT_FALSE(open({{"--duration", "3.0"}}));
     EXPECT_FALSE(open());
 }

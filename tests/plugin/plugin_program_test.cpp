@@ -251,7 +251,7 @@ TEST_F(PluginProgram, PluginThatWasBuiltAgainMakesAnotherBatch) {
     folder_.write("own.so", *readFile(plugin) + ' ');
     const ProgramResult other = runMrose(words);
     EXPECT_EQ(other.status, 1);
-    EXPECT_NE(other.err.find("holds results of another batch: the content of " + plugin.string() + " has changed; "),
+    EXPECT_NE(other.err.find("holds other results: the content of " + plugin.string() + " has changed; "),
               std::string::npos)
         << other.err;
 }

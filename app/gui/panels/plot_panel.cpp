@@ -188,8 +188,15 @@ void PlotPanel::askForExpression() {
     expression_->selectAll();
 }
 
-Expected<void> PlotPanel::add(const ValueKey& key) {
+Expected<void> PlotPanel::add(const ValueKey& wanted) {
     if (!shown_) return fail({}, "nothing is open");
+    ValueKey key = wanted;
+    const Scenario& scenario = *shown_->frame->scenario;
+    if (const auto bound = boundValue(scenario, key); bound && bound->quantity == &partQuantity()) {
+        auto unit = entryUnit(scenario, *bound);
+        if (!unit) return tl::unexpected(unit.error());
+        if (key.unit.empty()) key.unit = std::move(*unit);
+    }
     if (auto value = plottedValue(*shown_->frame->scenario, key); !value) return tl::unexpected(value.error());
     if (std::find(keys_.begin(), keys_.end(), key) != keys_.end()) return {};
     keys_.push_back(key);

@@ -1,0 +1,97 @@
+#include <cstdio>
+
+#include "report/program_json.h"
+#include "workflow/learn_task.h"
+
+namespace mrose::cli {
+namespace {
+
+std::string decimals(double value, int digits) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+void print(const LearnedTask& learned, const LearnRequest& request) {
+    const TaskData& data = learned.data;
+    std::printf("%zu rows, %zu of them held out by trials", data.rows(), learned.heldOut);
+    for (const auto& [count, why] :
+         {std::pair(data.unfinished, "not ended by `until`"), std::pair(data.faulty, "ended by a fault"),
+          std::pair(data.unknown, "without numbers")})
+        if (count > 0) std::printf("; %lld left out, %s", static_cast<long long>(count), why);
+    std::puts("");
+    TextTable table({data.target + ", held out", "sum of |d| / sum", "95 %", "mean |d|", "rms", "bias"});
+    for (const TaskScore& score : learned.scores)
+        table.add({score.name, decimals(100 * score.share, 2) + " %",
+                   decimals(100 * score.shareLow, 2) + "-" + decimals(100 * score.shareHigh, 2),
+                   decimals(score.absolute, 3), decimals(score.rootMeanSquare, 3), decimals(score.bias, 3)});
+    std::fputs(table.text().c_str(), stdout);
+    std::printf("%s written\n", request.output.c_str());
+}
+
+int runIt(const LearnRequest& request, const CommonFlags& common) {
+    watchInterrupts();
+    LearningDisplay display(common.quiet, "learning");
+    const auto learned = learnTask(request, [&](double share) { return display(share) && !wasInterrupted(); });
+    display.end();
+    if (wasInterrupted()) return reportInterrupted();
+    if (!learned) return report(learned.error());
+    if (common.json)
+        std::puts(learnedTaskJson(learned->data, learned->heldOut, learned->scores, request.output).c_str());
+    else
+        print(*learned, request);
+    return success;
+}
+
+}  // namespace
+
+Subcommand addLearn(CLI::App& app, CommonFlags& common) {
+    struct Flags {
+        LearnRequest request;
+        std::string family = "network";
+    };
+    auto flags = std::make_shared<Flags>();
+    LearnRequest& request = flags->request;
+    request.command = commandLine();
+    CLI::App* sub = addSubcommand(
+        app, common, "learn", "Learn a measure of an experiment from its features",
+        "  mrose learn episodes --target time_s --log -o time.net\n"
+        "  mrose learn episodes --target time_s --beside by_speed --families -o time.net\n"
+        "Every fifth trial is held out whole, and the figures are of these. A plug-in names the file in `mappings`\n"
+        "and asks it by the names of the features.");
+    addSeed(*sub, common);
+    addThreads(*sub, common);
+    addOverwrite(*sub, common);
+    sub->add_option("RESULTS", request.results, "The experiment's folder, or its results.csv")
+        ->required()
+        ->check(someName());
+    sub->add_option("--target", request.question.target, "The measure that is learned")->required();
+    sub->add_option("--inputs", request.question.inputs,
+                    "Features, or draws as draw.NAME, with commas between them; otherwise all features")
+        ->delimiter(',');
+    sub->add_option("--beside", request.question.beside,
+                    "Features that are guesses of the target: judged beside it, and no inputs")
+        ->delimiter(',');
+    sub->add_flag("--log", request.learning.logarithmic, "Learn the target's logarithm: relative errors count");
+    sub->add_flag("--unfinished", request.question.unfinished, "Learn from runs, too, that `until` did not end");
+    sub->add_option("--family", flags->family, "What is learned: network, table, trees or neighbours")
+        ->check(CLI::IsMember(std::vector<std::string>(regressorFamilyNames.begin(), regressorFamilyNames.end())))
+        ->capture_default_str();
+    sub->add_flag("--families", request.families, "Learn the other families, too, and judge them beside it");
+    sub->add_option("--hidden", request.learning.hidden, "Units of each network's hidden layer")
+        ->check(CLI::Range(1, 512))
+        ->capture_default_str();
+    sub->add_option("--members", request.learning.members, "Networks whose mean is learned, each without another part")
+        ->check(CLI::Range(2, 8))
+        ->capture_default_str();
+    sub->add_option("-o,--output", request.output, "The network file")->required()->check(someName());
+    sub->callback([flags, &common] {
+        const auto at = std::ranges::find(regressorFamilyNames, flags->family);
+        flags->request.learning.family = static_cast<RegressorFamily>(at - regressorFamilyNames.begin());
+        flags->request.learning.seed = common.seed;
+        flags->request.overwrite = common.overwrite;
+    });
+    return {sub, [flags, &common] { return runIt(flags->request, common); }};
+}
+
+}  // namespace mrose::cli

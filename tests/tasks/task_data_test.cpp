@@ -1,0 +1,106 @@
+#include "tasks/task_data.h"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/temporary_folder.h"
+
+namespace mrose {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* results =
+    "trial,seed,variant,variant_name,end,time_s,draw.n,feature.a,feature.b,feature.guess,measure.t,measure.c\n"
+    "1,1,1,,condition,2.0,3.0,0.5,-1.0,2.5,2.0,nan\n"
+    "1,2,1,,condition,2.5,3.0,0.5,-1.0,2.5,2.5,1.0\n"
+    "2,1,1,,duration,9.0,4.0,0.7,-2.0,8.0,9.0,1.0\n"
+    "3,1,1,,fault,1.0,4.0,0.7,-2.0,8.0,1.0,1.0\n"
+    "4,1,1,,condition,1.0,4.0,nan,-2.0,8.0,1.0,1.0\n"
+    "5,1,1,\"x, y\",condition,3.0,5.0,0.9,-3.0,2.0,3.0,1.0\n";
+
+class TaskDataTest : public testing::Test {
+protected:
+    Expected<TaskData> read(const TaskQuestion& question) {
+        folder_.write("results.csv", results);
+        const auto table = readResultsTable(folder_.path());
+        EXPECT_TRUE(table) << table.error().message();
+        return taskData(*table, question);
+    }
+    std::string refusal(const TaskQuestion& question) {
+        const auto data = read(question);
+        return data ? "" : data.error().message();
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(TaskDataTest, RowsThatSayNothingAreLeftOutAndCounted) {
+    const auto data = read({.target = "t", .beside = {"guess"}});
+    ASSERT_TRUE(data) << data.error().message();
+    EXPECT_THAT(data->inputs, ElementsAre("a", "b"));
+    EXPECT_THAT(data->y, ElementsAre(2.0, 2.5, 3.0));
+    EXPECT_THAT(data->x, ElementsAre(0.5, -1.0, 0.5, -1.0, 0.9, -3.0));
+    EXPECT_THAT(data->trial, ElementsAre(1u, 1u, 5u));
+    ASSERT_EQ(data->beside.size(), 1u);
+    EXPECT_THAT(data->beside[0].of, ElementsAre(2.5, 2.5, 2.0));
+    EXPECT_EQ(data->unfinished, 1);
+    EXPECT_EQ(data->faulty, 1);
+    EXPECT_EQ(data->unknown, 1);
+    const auto all = read({.target = "t", .unfinished = true});
+    EXPECT_THAT(all->y, ElementsAre(2.0, 2.5, 9.0, 3.0));
+    EXPECT_THAT(read({.target = "c"})->y, ElementsAre(1.0, 1.0)) << "without the one that is no number";
+}
+
+TEST_F(TaskDataTest, InputsMayBeChosenAndBeDraws) {
+    const auto data = read({.inputs = {"draw.n", "b"}, .target = "t"});
+    ASSERT_TRUE(data) << data.error().message();
+    EXPECT_THAT(data->x, ElementsAre(3.0, -1.0, 3.0, -1.0, 4.0, -2.0, 5.0, -3.0));
+}
+
+TEST_F(TaskDataTest, TrialsAreHeldOutWhole) {
+    TaskData data{.inputs = {"a"}, .target = "t"};
+    for (std::uint32_t trial = 1; trial <= 20; ++trial)
+        for (int seed = 0; seed < 3; ++seed) {
+            data.x.push_back(trial);
+            data.y.push_back(seed);
+            data.trial.push_back(trial);
+        }
+    const TaskData held = data.part(5, 0, true), others = data.part(5, 0, false);
+    EXPECT_EQ(std::set<std::uint32_t>(held.trial.begin(), held.trial.end()), (std::set<std::uint32_t>{5, 10, 15, 20}));
+    EXPECT_EQ(held.rows(), 12u);
+    EXPECT_EQ(others.rows(), 48u);
+    for (const std::uint32_t trial : others.trial) EXPECT_NE(trial % 5, 0u);
+}
+
+TEST_F(TaskDataTest, WhatIsMissingIsToldWithWhatThereIs) {
+    EXPECT_THAT(refusal({.target = "x"}), HasSubstr("results.csv: --target: has no measure \"x\"; it has t, c"));
+    EXPECT_THAT(refusal({.inputs = {"c"}, .target = "t"}),
+                HasSubstr("--inputs: has no feature \"c\"; it has a, b, guess"));
+    EXPECT_THAT(refusal({.inputs = {"draw.m"}, .target = "t"}), HasSubstr("--inputs: has no feature \"draw.m\""));
+    EXPECT_THAT(refusal({.target = "t", .beside = {"d"}}), HasSubstr("--beside: has no feature \"d\""));
+    EXPECT_THAT(refusal({.target = "t", .beside = {"a", "b", "guess"}}), HasSubstr("has no features to learn from"));
+    folder_.write("results.csv", "trial,seed,variant,end,feature.a,measure.t\n1,1,1,fault,1,1\n");
+    const auto table = readResultsTable(folder_.path() / "results.csv");
+    ASSERT_TRUE(table);
+    const auto none = taskData(*table, {.target = "t"});
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().message(), HasSubstr("has no row to learn from"));
+}
+
+TEST_F(TaskDataTest, FilesThatAreNoResultsAreRefused) {
+    const auto refused = [&](const std::string& text) {
+        folder_.write("results.csv", text);
+        const auto table = readResultsTable(folder_.path());
+        return table ? "" : table.error().message();
+    };
+    EXPECT_THAT(refused("a,b\n"), HasSubstr("results.csv:1: is no results.csv of mrose"));
+    EXPECT_THAT(refused("trial,seed,end\n1,1,a\n2,1\n"), HasSubstr("results.csv:3: has 2 cells; expected 3"));
+    EXPECT_FALSE(readResultsTable(folder_.path() / "none"));
+}
+
+}  // namespace
+}  // namespace mrose
