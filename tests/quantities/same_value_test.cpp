@@ -104,7 +104,7 @@ TEST_P(SameValue, InAConditionAndInAPlot) {
             EXPECT_EQ(keyOf(scenario_, *bound), key);
             if (bound->quantity->isOfBody() || bound->quantity == &partQuantity()) {
                 const ValueKey found = keyOfPath(scenario_, path).value_or(ValueKey{});
-                EXPECT_EQ(found.words(), ValueKey(key.quantity, key.body, key.of, found.unit).words());
+                EXPECT_EQ(found.words(), (ValueKey{key.quantity, key.body, key.of, found.unit}.words()));
             }
             const QuantityValue value = bound->value(moment);
             if (const auto* const text = std::get_if<std::string>(&value)) {
