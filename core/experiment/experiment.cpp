@@ -93,7 +93,9 @@ private:
         auto trial = place.maker.make(number);
         if (!trial) return fail(trial.error());
         for (std::size_t variant = 0; variant < experiment_.variants.size(); ++variant) {
-            const Scenario scenario(std::move(trial->scenarios[variant].parts));
+            ScenarioParts& parts = trial->scenarios[variant].parts;
+            if (options_.loaded) options_.loaded(parts);
+            const Scenario scenario(std::move(parts));
             for (std::uint32_t k = 0; k < experiment_.seeds && !stop_; ++k) {
                 const RunKey key = keyOf(number, variant, k);
                 {
@@ -127,16 +129,11 @@ private:
         options.endOnFault = true;
         options.watchFollows = (*expressions)->follows;
         options.every = every;
-        options.watch = [&](const Moment& at) {
-            Moment looked = at;
-            looked.drawn = &drawn;
-            return measurement.look(looked);
-        };
+        options.drawn = &drawn;
+        options.watch = [&](const Moment& at) { return measurement.look(at); };
         std::optional<Error> wrong;
         options.finally = [&](const Moment& at) {
-            Moment last = at;
-            last.drawn = &drawn;
-            if (const auto ended = measurement.end(last); !ended) wrong = ended.error();
+            if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
         };
         options.each = [this](const WorldState&, const StepTrace&) {
             return !stop_ && (!options_.goesOn || options_.goesOn());

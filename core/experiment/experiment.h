@@ -15,7 +15,9 @@
 namespace mrose {
 
 struct ExperimentOptions {
+    /// Its loader of plug-ins is called by several threads at once.
     ScenarioLoading loading = {};
+    std::function<void(ScenarioParts&)> loaded = {};  ///< called with each trial's scenario, likewise. May be empty
     /// What reruns the experiment's trials; " --trial 3 --seed 7" follows.
     std::string command = "mrose run", window = "mrose-gui";
     /// What all rows depend on. A folder with results of another identity is refused.

@@ -26,9 +26,8 @@ class ExperimentReader {
 public:
     ExperimentReader(const Value::File& file, DescriptionSource& source, const ScenarioLoading& loading)
         : file_(file),
-          source_(source),
           library_(source),
-          loading_(loading),
+          loading_{loading.plugins, loading.playLogs, false},
           root_(openDescription(file->content, library_.shown(file->name), DescriptionKind::experiment)) {}
 
     Expected<Experiment> read() {
@@ -59,10 +58,7 @@ private:
         if (!file) return;
         const auto value = scenarioOf(file, library_.shown(file->name));
         if (!value) return root_.adopt(value.error());
-        resolve(*value);
-    }
-    void resolve(const ScenarioValue& value) {
-        auto loaded = loadScenario(value, library_, loading_);
+        auto loaded = loadScenario(*value, library_, loading_);
         if (!loaded) return root_.adopt(loaded.error());
         experiment_.scenario = std::move(loaded->value);
         duration_ = loaded->parts.duration;
@@ -80,8 +76,8 @@ private:
         if (root_.has("require")) experiment_.require = expression(root_, "require");
         if (root_.has("until")) experiment_.until = expression(root_, "until");
         if (root_.failed()) return;
-        set(root_, "duration_s", "duration_s", toSeconds(duration));
-        set(root_, "seed", "seed", static_cast<std::int64_t>(experiment_.seed));
+        keep(root_, "duration_s", "duration_s", toSeconds(duration));
+        keep(root_, "seed", "seed", static_cast<std::int64_t>(experiment_.seed));
     }
 
     FileExpression expression(TomlTable& table, std::string_view key, const std::string& within = {}) {
@@ -171,33 +167,41 @@ private:
         resolveChoices(table, draw);
     }
 
-    /// The scenario with a value somewhere, checked; what it names is held by it from then on.
-    Value set(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
+    /// What a value is when it stands somewhere in the scenario: with the files that it names. Rejects what does not
+    /// fit.
+    Value resolved(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
         auto changed = experiment_.scenario.with(path, value);
         if (!changed) return table.reject(key, path + ": " + changed.error().cause), value;
-        ScenarioLoading loading = loading_;
-        loading.checkStarts = false;
-        const auto loaded = loadScenario(*changed, library_, loading);
+        const auto loaded = loadScenario(*changed, library_, loading_);
         if (!loaded) {
             // Lines of the scenario are not those of what is set in it.
             const Error& error = loaded.error();
             return table.reject(key, (error.key.empty() ? path : error.key) + ": " + error.cause), value;
         }
         const Value* const there = loaded->value.at(path);
-        if (&table == &root_) experiment_.scenario = loaded->value;
         return there != nullptr ? *there : value;
+    }
+    /// Puts it there for all trials.
+    void keep(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
+        auto changed = experiment_.scenario.with(path, resolved(table, key, path, value));
+        if (!changed) return table.reject(key, changed.error().cause);
+        experiment_.scenario = std::move(*changed);
     }
     void resolveChoices(TomlTable& table, Draw& draw) {
         for (Value& choice : draw.choices)
             for (const std::string& path : draw.paths)
-                if (!root_.failed()) choice = set(table, "of", path, choice);
+                if (!root_.failed()) choice = resolved(table, "of", path, choice);
     }
-    /// What is drawn there must be known: a key that is misspelt changes nothing.
+    /// There must be such a place; whether its last key is known, the first trial says.
     void checkPath(TomlTable& table, const std::string& path) {
         for (const char* const own : {"seed", "duration_s", "name", "format", "version"})
             if (path == own) return table.reject("path", "\"" + path + "\" is not for draws");
         if (const auto changed = experiment_.scenario.with(path, 0.0); !changed)
             table.reject("path", path + ": " + changed.error().cause);
+    }
+
+    static void checkFree(TomlTable& sets, const std::string& path) {
+        if (path == "seed" || path == "duration_s") sets.reject(path, "is a key of the experiment itself");
     }
 
     /// What is set for all trials and variants.
@@ -207,10 +211,8 @@ private:
         if (named == nullptr || named->asTable() == nullptr) return;
         for (const auto& [path, value] : *named->asTable()) {
             sets.value(path);
-            if (root_.failed()) return;
-            auto changed = experiment_.scenario.with(path, set(sets, path, path, value));
-            if (!changed) return sets.reject(path, changed.error().cause);
-            experiment_.scenario = std::move(*changed);
+            checkFree(sets, path);
+            if (!root_.failed()) keep(sets, path, path, value);
         }
     }
 
@@ -226,8 +228,8 @@ private:
         if (named != nullptr && named->asTable() != nullptr)
             for (const auto& [path, value] : *named->asTable()) {
                 sets.value(path);
-                if (path == "seed" || path == "duration_s") sets.reject(path, "is the experiment's, for all variants");
-                variant.set.emplace_back(path, root_.failed() ? value : set(sets, path, path, value));
+                checkFree(sets, path);
+                variant.set.emplace_back(path, root_.failed() ? value : resolved(sets, path, path, value));
             }
         table.rejectUnknown();
         experiment_.variants.push_back(std::move(variant));
@@ -274,9 +276,8 @@ private:
     }
 
     Value::File file_;
-    DescriptionSource& source_;
     DescriptionLibrary library_;
-    const ScenarioLoading& loading_;
+    ScenarioLoading loading_;  ///< as it is written bodies may overlap: trials are drawn until they do not
     TomlTable root_;
     Experiment experiment_;
     Nanoseconds duration_ = 0, tick_ = 1;

@@ -71,7 +71,7 @@ private:
         }
         return std::nullopt;
     }
-    Moment now() const { return {&scenario_, &result_.state, &trace_, insights_}; }
+    Moment now() const { return {&scenario_, &result_.state, &trace_, insights_, nullptr, options_.drawn}; }
 
     const Scenario& scenario_;
     const RunOptions& options_;

@@ -17,7 +17,8 @@ const char* name(RunEnd end);
 
 struct RunOptions {
     Nanoseconds duration = 60 * nanosecondsPerSecond;
-    Condition* until = nullptr;  ///< the run ends after the first tick at which it holds
+    Condition* until = nullptr;          ///< the run ends after the first tick at which it holds
+    const DrawnValues* drawn = nullptr;  ///< of a trial of an experiment: what questions may ask, too
     /// Asked beside `until`; true ends the run likewise. May be empty.
     std::function<Expected<bool>(const Moment&)> watch = {};
     bool watchFollows = false;  ///< `watch` reads what robots saw and decided

@@ -20,8 +20,16 @@ double within(const Draw& draw, double u) {
     return draw.least + std::floor(u * (draw.most - draw.least + 1));
 }
 
-/// The last key of a path: where bodies have names, an error says them, and a path their numbers.
-std::string lastKeyOf(const std::string& path) { return path.substr(path.find_last_of('.') + 1); }
+/// Whether `key`, as an error names it, is at a path or within what stands there.
+bool isWithin(const ScenarioValue& value, std::string key, const std::string& path) {
+    const Value* const there = value.at(path);
+    while (there != nullptr && value.at(key) != there) {
+        const std::size_t dot = key.rfind('.');
+        if (dot == std::string::npos) return false;
+        key.resize(dot);
+    }
+    return there != nullptr;
+}
 
 std::string who(std::uint32_t number) { return " (trial " + std::to_string(number) + ')'; }
 
@@ -134,7 +142,7 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
                 varied = std::move(*changed);
             }
             auto loaded = scenarioOf(varied);
-            if (!loaded) return tl::unexpected(told(loaded.error(), number));
+            if (!loaded) return tl::unexpected(told(loaded.error(), varied, number));
             if (!*loaded) wanted = false;
             if (wanted && &variant == experiment_.variants.data()) {
                 const auto asked = isWanted(**loaded, trial.drawn);
@@ -151,11 +159,9 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
     return tl::unexpected(experiment_.require.placed(cause, experiment_.file));
 }
 
-/// What is wrong with a trial's scenario, of the draw or the variant that made it so.
-Error TrialMaker::told(Error error, std::uint32_t number) const {
-    const auto made = [&](const std::string& path) {
-        return error.key == path || error.key.starts_with(path + '.') || lastKeyOf(path) == lastKeyOf(error.key);
-    };
+/// What is wrong with a trial's scenario `of`, of the draw or the variant that made it so.
+Error TrialMaker::told(Error error, const ScenarioValue& of, std::uint32_t number) const {
+    const auto made = [&](const std::string& path) { return isWithin(of, error.key, path); };
     const std::string cause = error.key + ": " + error.cause + who(number);
     for (const Variant& variant : experiment_.variants)
         for (const auto& [path, value] : variant.set)
@@ -193,7 +199,7 @@ Expected<void> TrialMaker::check() {
         const auto value = drawnScenario(drawn);
         if (!value) return tl::unexpected(value.error());
         auto loaded = loadScenario(*value, library_, loading_);
-        if (!loaded) return tl::unexpected(told(loaded.error(), 1));
+        if (!loaded) return tl::unexpected(told(loaded.error(), *value, 1));
         const Scenario scenario(std::move(loaded->parts));
         const WorldState start = scenario.initialState();
         const std::vector<RobotInsight> none(start.robots.size());

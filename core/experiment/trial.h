@@ -36,7 +36,7 @@ public:
     Expected<void> check();
 
 private:
-    Error told(Error error, std::uint32_t number) const;
+    Error told(Error error, const ScenarioValue& of, std::uint32_t number) const;
     Expected<DrawnValues> draw(std::uint32_t number, int attempt);
     Expected<Value> valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,
                             const DrawnValues& drawn);

@@ -22,8 +22,14 @@ namespace {
 std::string repeated(const std::string& program, const ExperimentRequest& request) {
     std::string command = program + ' ' + shellQuoted(request.file);
     for (const std::string& assignment : request.overrides) command += " --set " + shellQuoted(assignment);
-    if (request.plugins.isolate) command += " --isolate";
     return command;
+}
+
+/// The window isolates plug-ins without being told.
+std::string pluginFlags(const PluginUse& plugins) {
+    std::string flags = plugins.isolate ? " --isolate" : "";
+    if (plugins.limit != PluginUse().limit) flags += " --plugin-limit " + numberText(plugins.limit);
+    return flags;
 }
 
 /// What all rows depend on. How many trials and seeds there are is no part of it: more of them may be added.
@@ -55,24 +61,23 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
     if (request.trials) experiment.trials = *request.trials;
     if (watch.opened) watch.opened(experiment);
     ExperimentOptions options;
-    // A plug-in's file is named by the scenario's folder: what is in it is part of what the rows depend on.
+    // What is in their files is part of what the rows depend on: the first trial loads them.
     std::mutex mutex;
     std::map<std::string, std::string> plugins;
     const PluginLoader load = pluginLoader(request.plugins);
     options.loading.plugins = [&](const std::string& path, const std::string& with) {
-        {
-            const std::lock_guard lock(mutex);
-            if (!plugins.contains(path))
-                if (const auto content = readFile(path)) plugins[path] = contentHash(*content);
-        }
+        const std::lock_guard lock(mutex);
+        if (!plugins.contains(path))
+            if (const auto content = readFile(path)) plugins[path] = contentHash(*content);
         return load(path, with);
     };
+    options.loaded = request.plugins.loaded;
     {
         TrialExpressions expressions(experiment);
         if (const auto first = TrialMaker(experiment, expressions, options.loading).make(1); !first)
             return tl::unexpected(first.error());
     }
-    options.command = repeated("mrose run", request);
+    options.command = repeated("mrose run", request) + pluginFlags(request.plugins);
     options.window = repeated("mrose-gui", request);
     options.identity = identityOf((*opened)->content, experiment, request);
     for (const auto& [path, hash] : plugins) options.identity[std::string(contentOf) + path] = hash;

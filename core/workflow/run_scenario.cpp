@@ -92,15 +92,11 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
         auto compiled = endOfTrial(*opened->trial, scenario);
         if (!compiled) return tl::unexpected(compiled.error());
         over = std::move(*compiled);
+        options.drawn = &opened->trial->drawn;
         options.every = opened->trial->every;
         options.watchFollows = readsInsights(opened->trial->until.text, scenario);
     }
-    if (over)
-        options.watch = [&](const Moment& at) {
-            Moment drawn = at;
-            drawn.drawn = &opened->trial->drawn;
-            return over->holds(drawn);
-        };
+    if (over) options.watch = [&](const Moment& at) { return over->holds(at); };
     const WorldState initial = scenario.initialState(request.seed.value_or(scenario.parts().seed));
     std::optional<RecordingWriter> writer;
     if (!request.recording.empty()) {

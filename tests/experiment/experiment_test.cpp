@@ -350,7 +350,7 @@ TEST_F(ExperimentTest, WhatIsWrongWithAFileIsOneLine) {
     EXPECT_THAT(refusal("trials = 1\nevery_s = 5.0\n"), HasSubstr("every_s: is longer than a run"));
     EXPECT_THAT(refusal("trials = 1\n[set]\n\"robot[1].sped\" = 1\n"), HasSubstr("x.toml:7:19: set.robot[1].sped: "));
     EXPECT_THAT(refusal("trials = 1\n[[variant]]\nname = \"v\"\nset = { seed = 3 }\n"),
-                HasSubstr("set.seed: is the experiment's"));
+                HasSubstr("set.seed: is a key of the experiment itself"));
     EXPECT_THAT(draw("path = \"robot[1].type\"\nof = [\"none.toml\"]\n"), HasSubstr("\"none.toml\" was not found"));
     EXPECT_THAT(draw("from = 0\nto = 1\n[[draw]]\nname = \"a\"\nfrom = 0\nto = 1\n"),
                 HasSubstr("is the name of another draw"));
