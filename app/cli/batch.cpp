@@ -42,15 +42,7 @@ void print(const BatchSummary& summary, const BatchRequest& request, double seco
         std::printf("ended by the condition: %lld of %lld\n", static_cast<long long>(results.ended),
                     static_cast<long long>(results.rows));
     if (results.faulty > 0) std::printf("with faults: %lld\n", static_cast<long long>(results.faulty));
-    if (!summary.complete) {
-        std::printf("interrupted after %lld of %lld runs; the same command goes on with the rest\n",
-                    static_cast<long long>(results.rows), static_cast<long long>(summary.runs));
-        return;
-    }
-    const std::string before =
-        summary.resumed > 0 ? ", " + std::to_string(summary.resumed) + " of them done before" : "";
-    std::printf("%lld run%s in %s%s; results in %s/results.csv\n", static_cast<long long>(summary.runs),
-                summary.runs == 1 ? "" : "s", durationText(seconds).c_str(), before.c_str(), request.folder.c_str());
+    printEnd({summary.runs, results.rows, summary.resumed, summary.complete}, seconds, request.folder);
 }
 
 int runRuns(BatchRequest request, const std::string& seeds, const CommonFlags& common) {

@@ -32,16 +32,7 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
         if (variant.faulty > 0) std::printf(", %lld by a fault", static_cast<long long>(variant.faulty));
         std::puts("");
     }
-    if (!summary.complete) {
-        std::printf("interrupted after %lld of %lld runs; the same command goes on with the rest\n",
-                    static_cast<long long>(summary.done), static_cast<long long>(summary.runs));
-        return;
-    }
-    const std::string before =
-        summary.resumed > 0 ? ", " + std::to_string(summary.resumed) + " of them done before" : "";
-    std::printf("%s in %s%s; results in %s/results.csv\n",
-                (std::to_string(summary.runs) + (summary.runs == 1 ? " run" : " runs")).c_str(),
-                durationText(seconds).c_str(), before.c_str(), request.folder.c_str());
+    printEnd({summary.runs, summary.done, summary.resumed, summary.complete}, seconds, request.folder);
 }
 
 int runIt(const ExperimentRequest& request, const CommonFlags& common) {

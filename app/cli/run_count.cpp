@@ -1,5 +1,7 @@
 #include "run_count.h"
 
+#include <cstdio>
+
 namespace mrose::cli {
 
 void RunCount::show(std::int64_t done, std::int64_t all) {
@@ -10,6 +12,17 @@ void RunCount::show(std::int64_t done, std::int64_t all) {
     const double each = seconds() / static_cast<double>(done - doneBefore_);
     line_.show(std::to_string(done) + " of " + std::to_string(all) + " runs, " +
                durationText(each * static_cast<double>(all - done)) + " left");
+}
+
+void printEnd(const RunsDone& of, double seconds, const std::string& folder) {
+    if (!of.complete) {
+        std::printf("interrupted after %lld of %lld runs; the same command goes on with the rest\n",
+                    static_cast<long long>(of.done), static_cast<long long>(of.runs));
+        return;
+    }
+    const std::string before = of.resumed > 0 ? ", " + std::to_string(of.resumed) + " of them done before" : "";
+    std::printf("%lld run%s in %s%s; results in %s/results.csv\n", static_cast<long long>(of.runs),
+                of.runs == 1 ? "" : "s", durationText(seconds).c_str(), before.c_str(), folder.c_str());
 }
 
 }  // namespace mrose::cli

@@ -23,4 +23,12 @@ private:
     std::int64_t doneBefore_ = -1;
 };
 
+/// How far many runs have come, for people.
+struct RunsDone {
+    std::int64_t runs = 0, done = 0, resumed = 0;
+    bool complete = false;
+};
+/// What is said when they end: how many, how long it took, where results.csv is.
+void printEnd(const RunsDone& of, double seconds, const std::string& folder);
+
 }  // namespace mrose::cli

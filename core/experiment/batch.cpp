@@ -110,18 +110,10 @@ private:
     std::optional<Error> error_;
 };
 
-/// Rows that were not asked for now must not get lost, nor stand among the results.
-Expected<void> checkRows(const ResultsFile& file, const BatchOptions& options, const std::filesystem::path& folder) {
-    for (const auto& [key, row] : file.rows()) {
-        const bool asked = key.trial >= options.firstTrial && key.trial - options.firstTrial < options.trials &&
-                           key.seed >= options.firstSeed && key.seed <= options.lastSeed;
-        if (!asked)
-            return fail(folder.string(), "holds a run of trial " + std::to_string(key.trial) + " with seed " +
-                                             std::to_string(key.seed) +
-                                             ", which was not asked for now; expected another folder, or --trials and "
-                                             "--seeds that take in what is there");
-    }
-    return {};
+/// Whether a run is one of those that a batch asks for.
+bool isAsked(const RunKey& key, const BatchOptions& options) {
+    return key.trial >= options.firstTrial && key.trial - options.firstTrial < options.trials &&
+           key.seed >= options.firstSeed && key.seed <= options.lastSeed;
 }
 
 }  // namespace
@@ -137,7 +129,10 @@ Expected<BatchSummary> runBatch(const ScenarioParts& parts, const BatchOptions& 
             return tl::unexpected(compiled.error());
     auto file = ResultsFile::open(folder, options.identity, resultsHeader(parts));
     if (!file) return tl::unexpected(file.error());
-    if (const auto fits = checkRows(*file, options, folder); !fits) return tl::unexpected(fits.error());
+    if (const auto fits =
+            file->checkAsked([&](const RunKey& key) { return isAsked(key, options); }, "--trials and --seeds");
+        !fits)
+        return tl::unexpected(fits.error());
     auto summary = BatchRunner(parts, options, *file).runAll();
     if (summary && summary->complete && options.value)
         // What is there may be of a batch whose results were removed.

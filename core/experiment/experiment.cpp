@@ -168,19 +168,11 @@ private:
     std::optional<Error> error_;
 };
 
-/// Rows that were not asked for now must not get lost, nor stand among the results.
-Expected<void> checkRows(const ResultsFile& file, const Experiment& experiment, const std::filesystem::path& folder) {
-    for (const auto& [key, row] : file.rows()) {
-        const bool asked = key.trial >= 1 && key.trial <= experiment.trials && key.seed >= experiment.seed &&
-                           key.seed - experiment.seed < experiment.seeds && key.variant >= 1 &&
-                           key.variant <= experiment.variants.size();
-        if (!asked)
-            return fail(folder.string(), "holds trial " + std::to_string(key.trial) + " with seed " +
-                                             std::to_string(key.seed) +
-                                             ", which was not asked for now; expected another folder, or as many "
-                                             "trials and seeds as take in what is there");
-    }
-    return {};
+/// Whether a run is one of those that an experiment asks for.
+bool isAsked(const RunKey& key, const Experiment& experiment) {
+    return key.trial >= 1 && key.trial <= experiment.trials && key.seed >= experiment.seed &&
+           key.seed - experiment.seed < experiment.seeds && key.variant >= 1 &&
+           key.variant <= experiment.variants.size();
 }
 
 }  // namespace
@@ -200,7 +192,10 @@ Expected<ExperimentSummary> runExperiment(const Experiment& experiment, const Ex
     if (const auto fits = first.maker.check(); !fits) return tl::unexpected(fits.error());
     auto file = ResultsFile::open(folder, options.identity, experimentHeader(experiment));
     if (!file) return tl::unexpected(file.error());
-    if (const auto fits = checkRows(*file, experiment, folder); !fits) return tl::unexpected(fits.error());
+    if (const auto fits =
+            file->checkAsked([&](const RunKey& key) { return isAsked(key, experiment); }, "trials and seeds");
+        !fits)
+        return tl::unexpected(fits.error());
     return ExperimentRunner(experiment, options, *file).runAll();
 }
 

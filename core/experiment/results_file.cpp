@@ -209,6 +209,16 @@ Expected<void> ResultsFile::readRows(const std::filesystem::path& path) {
     return {};
 }
 
+Expected<void> ResultsFile::checkAsked(const std::function<bool(const RunKey&)>& asked, const std::string& take) const {
+    for (const auto& [key, row] : rows_)
+        if (!asked(key))
+            return fail(folder_.string(), "holds a run of trial " + std::to_string(key.trial) + " with seed " +
+                                              std::to_string(key.seed) +
+                                              ", which was not asked for now; expected another folder, or " + take +
+                                              " that take in what is there");
+    return {};
+}
+
 Expected<void> ResultsFile::add(const RunKey& key, const std::string& row) {
     const off_t end = ::lseek(descriptor_, 0, SEEK_END);
     auto written = writeAll(descriptor_, row + '\n', part());

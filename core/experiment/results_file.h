@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -42,6 +43,9 @@ public:
 
     bool has(const RunKey& key) const { return rows_.contains(key); }
     const std::map<RunKey, std::string>& rows() const { return rows_; }
+    /// Error: there is a row that is not asked for now: it must neither get lost nor stand among the results. `take`:
+    /// what would take it in.
+    Expected<void> checkAsked(const std::function<bool(const RunKey&)>& asked, const std::string& take) const;
     /// `row` begins with trial and seed, of an experiment with the variant behind them, and is one line; after this a
     /// kill does not lose it.
     Expected<void> add(const RunKey& key, const std::string& row);
