@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
+#include <string>
 
 namespace mrose {
 
@@ -26,5 +28,17 @@ public:
     /// within, or where that is not known. Throws likewise.
     virtual double beyond(std::span<const double> from) const = 0;
 };
+
+/// "" where it reads and gives what is named here, in this order; otherwise what it maps and what was expected.
+inline std::string mismatch(const LearnedMapping& mapping, std::initializer_list<const char*> inputs,
+                            std::initializer_list<const char*> outputs) {
+    std::string theirs, ours;
+    for (std::size_t i = 0; i < mapping.inputs(); ++i) theirs += std::string(mapping.input(i).name) + ' ';
+    for (const char* const name : inputs) ours += std::string(name) + ' ';
+    theirs += "->", ours += "->";
+    for (std::size_t i = 0; i < mapping.outputs(); ++i) theirs += std::string(" ") + mapping.output(i).name;
+    for (const char* const name : outputs) ours += std::string(" ") + name;
+    return theirs == ours ? "" : "maps " + theirs + "; expected " + ours;
+}
 
 }  // namespace mrose

@@ -46,14 +46,9 @@ inline const LearnedMapping* PluginOptions::mapping(const char* key, std::initia
                                                     std::initializer_list<const char*> outputs) {
     const LearnedMapping* const found = mapping(key);
     if (found == nullptr) return nullptr;
-    std::string theirs, ours;
-    for (std::size_t i = 0; i < found->inputs(); ++i) theirs += std::string(found->input(i).name) + ' ';
-    for (const char* const name : inputs) ours += std::string(name) + ' ';
-    theirs += "->", ours += "->";
-    for (std::size_t i = 0; i < found->outputs(); ++i) theirs += std::string(" ") + found->output(i).name;
-    for (const char* const name : outputs) ours += std::string(" ") + name;
-    if (theirs == ours) return found;
-    reject(key, ("maps " + theirs + "; expected " + ours).c_str());
+    const std::string cause = mismatch(*found, inputs, outputs);
+    if (cause.empty()) return found;
+    reject(key, cause.c_str());
     return nullptr;
 }
 

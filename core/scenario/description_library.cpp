@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "io/toml_text.h"
+#include "plugin/network_mapping.h"
 #include "scenario/delayed_network.h"
 #include "scenario/sensor_preset.h"
 #include "scenario/shape_file.h"
@@ -116,6 +117,23 @@ std::shared_ptr<const LearnedSensor> DescriptionLibrary::sensor(TomlTable& table
     auto parsed = parseSensor(*file->content.asText(), shown(file->name));
     if (!parsed) return table.adopt(parsed.error()), nullptr;
     return sensor = std::make_shared<const LearnedSensor>(std::move(*parsed));
+}
+
+std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& table, std::string_view key,
+                                                                  const std::string& from,
+                                                                  std::initializer_list<const char*> inputs,
+                                                                  std::initializer_list<const char*> outputs) {
+    const Value::File file = this->file(table, key, from, "nets", Holds::text);
+    if (!file) return nullptr;
+    std::shared_ptr<const LearnedMapping>& mapping = mappings_[file];
+    if (!mapping) {
+        auto parsed = parseMapping(*file->content.asText(), shown(file->name));
+        if (!parsed) return table.adopt(parsed.error()), nullptr;
+        mapping = std::make_shared<const NetworkMapping>(std::move(*parsed));
+    }
+    const std::string cause = mismatch(*mapping, inputs, outputs);
+    if (!cause.empty()) return table.reject(key, shown(file->name) + ' ' + cause), nullptr;
+    return mapping;
 }
 
 const Value* DescriptionLibrary::sensorPreset(TomlTable& table, std::string_view key, const std::string& from) {

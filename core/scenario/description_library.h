@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <span>
@@ -7,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "control/learned_mapping.h"
 #include "geometry/shape.h"
 #include "io/error.h"
 #include "io/toml_table.h"
@@ -40,6 +42,10 @@ public:
     /// One of these networks made ready for use, once for each dead time: that of the network, so much later.
     std::shared_ptr<const LearnedMotion> motion(const MotionNetwork& network, Nanoseconds laterV, Nanoseconds laterW);
     std::shared_ptr<const LearnedSensor> sensor(TomlTable& table, std::string_view key, const std::string& from);
+    /// The network of a task that a controller calls, which must read and give what is named here, in this order.
+    std::shared_ptr<const LearnedMapping> mapping(TomlTable& table, std::string_view key, const std::string& from,
+                                                  std::initializer_list<const char*> inputs,
+                                                  std::initializer_list<const char*> outputs);
     /// The keys of the sensor preset that a table names; null after an error, which the table remembers.
     const Value* sensorPreset(TomlTable& table, std::string_view key, const std::string& from);
     /// What the table of a sensor in the file `from` refers to.
@@ -58,6 +64,7 @@ private:
     std::map<Value::File, std::shared_ptr<const Shape>> shapes_;
     std::map<Value::File, MotionNetwork> networks_;
     std::map<Value::File, std::shared_ptr<const LearnedSensor>> sensors_;
+    std::map<Value::File, std::shared_ptr<const LearnedMapping>> mappings_;
     /// Checked, with what it refers to, and what of it is for robot files.
     struct Preset {
         Value::File file;
