@@ -12,21 +12,49 @@ std::string decimals(double value, int digits) {
     return text;
 }
 
+/// What it comes to when a variant is chosen by what was learned.
+void printChoice(const TaskData& data, const TaskJudgement& judgement) {
+    const VariantChoice& choice = *judgement.predictors.front().choice;
+    TextTable table({data.target + " of the variants", "mean", "chosen in", "gain by choosing", "95 %"});
+    for (const VariantChoice::Variant& variant : choice.variants)
+        table.add({variant.name, decimals(variant.mean, 3), std::to_string(variant.chosen), decimals(variant.gain, 3),
+                   decimals(variant.gainInterval.low, 3) + " to " + decimals(variant.gainInterval.high, 3)});
+    for (const TaskJudgement::Predictor& predictor : judgement.predictors)
+        if (predictor.choice)
+            table.add({"chosen by " + predictor.name, decimals(predictor.choice->mean, 3), "", "", ""});
+    if (choice.oracle) table.add({"best of each trial", decimals(choice.oracle->mean, 3), "", "", ""});
+    std::fputs(table.text().c_str(), stdout);
+    std::printf("%s every variant alone; best alone: %s\n", choice.beatsAll() ? "better than" : "not better than",
+                choice.variants[choice.best].name.c_str());
+    if (choice.oracle)
+        std::printf(
+            "%.0f %% (95 %%: %.0f to %.0f) of the way from there to the best of each trial; the same as that "
+            "in %.0f %% of the trials\n",
+            100 * choice.oracle->closed, 100 * choice.oracle->closedInterval.low,
+            100 * choice.oracle->closedInterval.high, 100 * choice.oracle->agrees);
+}
+
 void print(const LearnedTask& learned, const LearnRequest& request) {
     const TaskData& data = learned.data;
-    std::printf("%zu rows, %zu of them held out by trials", data.rows(), learned.heldOut);
+    const bool choosing = !data.variants.empty();
+    std::printf("%zu %s, %zu of them held out%s", data.rows(), choosing ? "trials" : "rows",
+                learned.judgement.heldOut.rows(), choosing ? "" : " by trials");
     for (const auto& [count, why] :
          {std::pair(data.unfinished, "not ended by `until`"), std::pair(data.faulty, "ended by a fault"),
-          std::pair(data.unknown, "without numbers")})
+          std::pair(data.unknown, choosing ? "trials without all their runs" : "without numbers")})
         if (count > 0) std::printf("; %lld left out, %s", static_cast<long long>(count), why);
     std::puts("");
     TextTable table({data.target + ", held out", "sum of |d| / sum", "95 %", "mean |d|", "rms", "bias"});
-    for (const TaskScore& score : learned.scores)
-        table.add({score.name, decimals(100 * score.share, 2) + " %",
-                   decimals(100 * score.shareLow, 2) + "-" + decimals(100 * score.shareHigh, 2),
+    for (const TaskJudgement::Predictor& predictor : learned.judgement.predictors) {
+        const TaskScore& score = predictor.score;
+        table.add({predictor.name, decimals(100 * score.share, 2) + " %",
+                   decimals(100 * score.shareInterval.low, 2) + "-" + decimals(100 * score.shareInterval.high, 2),
                    decimals(score.absolute, 3), decimals(score.rootMeanSquare, 3), decimals(score.bias, 3)});
+    }
     std::fputs(table.text().c_str(), stdout);
+    if (choosing) printChoice(data, learned.judgement);
     std::printf("%s written\n", request.output.c_str());
+    if (!request.report.empty()) std::printf("%s/report.html written\n", request.report.c_str());
 }
 
 int runIt(const LearnRequest& request, const CommonFlags& common) {
@@ -37,7 +65,7 @@ int runIt(const LearnRequest& request, const CommonFlags& common) {
     if (wasInterrupted()) return reportInterrupted();
     if (!learned) return report(learned.error());
     if (common.json)
-        std::puts(learnedTaskJson(learned->data, learned->heldOut, learned->scores, request.output).c_str());
+        std::puts(learnedTaskJson(learned->data, learned->judgement, request.output).c_str());
     else
         print(*learned, request);
     return success;
@@ -57,6 +85,7 @@ Subcommand addLearn(CLI::App& app, CommonFlags& common) {
         app, common, "learn", "Learn a measure of an experiment from its features",
         "  mrose learn episodes --target time_s --log -o time.net\n"
         "  mrose learn episodes --target time_s --beside by_speed --families -o time.net\n"
+        "  mrose learn problems --target time_s --by-variant --unfinished --report page -o method.net\n"
         "Every fifth trial is held out whole, and the figures are of these. A plug-in names the file in `mappings`\n"
         "and asks it by the names of the features.");
     addSeed(*sub, common);
@@ -72,6 +101,11 @@ Subcommand addLearn(CLI::App& app, CommonFlags& common) {
     sub->add_option("--beside", request.question.beside,
                     "Features that are guesses of the target: judged beside it, and no inputs")
         ->delimiter(',');
+    sub->add_flag("--by-variant", request.question.byVariant,
+                  "Learn what each variant comes to, one output for each, and judge choosing by it");
+    sub->add_flag("--greatest", request.question.greatest, "By variant: the greatest target is best, not the least")
+        ->needs("--by-variant");
+    sub->get_option("--by-variant")->excludes("--beside");
     sub->add_flag("--log", request.learning.logarithmic, "Learn the target's logarithm: relative errors count");
     sub->add_flag("--unfinished", request.question.unfinished, "Learn from runs, too, that `until` did not end");
     sub->add_option("--family", flags->family, "What is learned: network, table, trees or neighbours")
@@ -84,6 +118,8 @@ Subcommand addLearn(CLI::App& app, CommonFlags& common) {
     sub->add_option("--members", request.learning.members, "Networks whose mean is learned, each without another part")
         ->check(CLI::Range(2, 8))
         ->capture_default_str();
+    sub->add_option("--report", request.report, "A folder for a page about it, with what it says of what is held out")
+        ->check(someName());
     sub->add_option("-o,--output", request.output, "The network file")->required()->check(someName());
     sub->callback([flags, &common] {
         const auto at = std::ranges::find(regressorFamilyNames, flags->family);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/windows.h"
+#include "learning/bootstrap.h"
 #include "motion/percent_errors.h"
 
 namespace mrose {
@@ -34,11 +35,6 @@ struct Distribution {
     double mean = 0, rms = 0, p10 = 0, p25 = 0, median = 0, p75 = 0, p90 = 0;  ///< NaN when count is 0
 };
 Distribution distribution(std::vector<double> values);
-
-/// Interval of a bootstrap over windows.
-struct Interval {
-    double low = 0, high = 0;
-};
 
 /// P and Hd as the referee defines them, and what windows look like one by one.
 struct Summary {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace mrose {
 namespace {
@@ -18,21 +19,28 @@ FloorPlan::Wall wallTowards(const Point& place, const Point& nearest) {
     return {nearest, far > 0 ? (1 / far) * (place - nearest) : Point{1, 0}, far};
 }
 
-FloorPlan::Wall wallOf(const ConvexPiece& piece, const Point& place) {
+/// nullopt: it is not nearer than `within`.
+std::optional<FloorPlan::Wall> wallOf(const ConvexPiece& piece, const Point& place, double within) {
     if (piece.isCircle()) {
         const FloorPlan::Wall centre = wallTowards(place, piece.centre);
-        return {piece.centre + piece.radius * centre.away, centre.away, centre.distance - piece.radius};
+        if (centre.distance - piece.radius >= within) return std::nullopt;
+        return FloorPlan::Wall{piece.centre + piece.radius * centre.away, centre.away, centre.distance - piece.radius};
     }
-    FloorPlan::Wall inside{{}, {}, -std::numeric_limits<double>::infinity()}, best;
-    best.distance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        const Point& corner = piece.corners[i];
-        if (const double outside = dot(piece.normals[i], place - corner); outside > inside.distance)
+    FloorPlan::Wall inside{{}, {}, -std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < piece.count; ++i)
+        if (const double outside = dot(piece.normals[i], place - piece.corners[i]); outside > inside.distance) {
+            if (outside >= within) return std::nullopt;  // nothing of it is nearer than that
             inside = {place - outside * piece.normals[i], piece.normals[i], outside};
-        const Point nearest = nearestOnSegment(place, corner, piece.corners[(i + 1) % piece.count]);
+        }
+    if (inside.distance <= 0) return inside;
+    FloorPlan::Wall best;
+    best.distance = within;
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        const Point nearest = nearestOnSegment(place, piece.corners[i], piece.corners[piece.cornerAfter(i)]);
         if (const double far = distance(nearest, place); far < best.distance) best = wallTowards(place, nearest);
     }
-    return inside.distance <= 0 ? inside : best;
+    if (best.distance >= within) return std::nullopt;
+    return best;
 }
 
 }  // namespace
@@ -41,7 +49,7 @@ std::vector<FloorPlan::Wall> FloorPlan::wallsNear(const Point& place, double wit
     std::vector<Wall> walls;
     for (const ConvexPiece& piece : pieces_) {
         if (distance(place, piece.centre) > piece.reach + within) continue;
-        if (const Wall wall = wallOf(piece, place); wall.distance < within) walls.push_back(wall);
+        if (const auto wall = wallOf(piece, place, within)) walls.push_back(*wall);
     }
     return walls;
 }

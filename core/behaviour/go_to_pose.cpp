@@ -151,7 +151,9 @@ void GoToPose::annotate(const Memory& memory, Decision& decision) const {
 std::vector<MemoryEntry> GoToPose::explain(std::span<const std::byte> bytes) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
-    std::vector<MemoryEntry> entries{{.name = "state", .text = Going::names[static_cast<std::size_t>(memory.phase)]}};
+    std::vector<MemoryEntry> entries;
+    entries.reserve(20);  // asked at every look of an experiment
+    entries.push_back({.name = "state", .text = Going::names[static_cast<std::size_t>(memory.phase)]});
     entries.push_back({"target number", static_cast<double>(memory.target + 1)});
     if (!options_.targets.empty()) {
         entries.push_back({"target x", target(memory).x, "m"});

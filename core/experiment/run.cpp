@@ -23,7 +23,7 @@ namespace {
 /// A run under way.
 class Running {
 public:
-    Running(const Scenario& scenario, WorldState state, const RunOptions& options)
+    Running(const Scenario& scenario, const WorldState& state, const RunOptions& options)
         : scenario_(scenario),
           options_(options),
           // Only who asks for them pays for them.
@@ -31,7 +31,7 @@ public:
                    (options.until != nullptr && readsInsights(options.until->text(), scenario))),
           first_(state.tick),
           insights_(follows_ ? state.robots.size() : 0),
-          result_{RunEnd::duration, std::move(state), RunStatistics(scenario), {}} {
+          result_{RunEnd::duration, state, RunStatistics(scenario, state), {}} {
         trace_.asksUnread = follows_ || options.traceUnread;
     }
 
@@ -52,13 +52,13 @@ public:
 private:
     /// How the run ended with this tick; nullopt: it goes on.
     Expected<std::optional<RunEnd>> takeTick() {
-        before_ = result_.state;
+        if (follows_) before_ = result_.state.memory;
         if (options_.checkRewind)
             result_.hidden = stepTwice(scenario_, result_.state, buffers_, trace_);
         else
             step(scenario_, result_.state, buffers_, {}, &trace_);
-        result_.statistics.add(before_, result_.state, trace_);
-        if (follows_) noteInsights(scenario_, trace_, result_.state.tick, before_.memory, insights_);
+        result_.statistics.add(result_.state, trace_);
+        if (follows_) noteInsights(scenario_, trace_, result_.state.tick, before_, insights_);
         if (options_.each && !options_.each(result_.state, trace_)) return RunEnd::stopped;
         if (!result_.hidden.empty()) return RunEnd::rewind;
         if (options_.endOnFault && !trace_.faults.empty()) return RunEnd::fault;
@@ -81,13 +81,13 @@ private:
     RunResult result_;
     StepBuffers buffers_;
     StepTrace trace_;
-    WorldState before_;
+    decltype(WorldState::memory) before_;  ///< of the controllers, before the tick
 };
 
 }  // namespace
 
 Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOptions& options) {
-    return Running(scenario, std::move(state), options).go();
+    return Running(scenario, state, options).go();
 }
 
 }  // namespace mrose

@@ -105,6 +105,24 @@ Printed printed(const RobotInspection& robot) {
             {"delays", {{"v", printed(robot.delays.v)}, {"w", printed(robot.delays.w)}}}};
 }
 
+Printed choiceJson(const VariantChoice& choice) {
+    Printed json{{"mean", choice.mean}, {"best_variant", choice.variants[choice.best].name}};
+    if (choice.oracle)
+        json["oracle"] = {{"mean", choice.oracle->mean},
+                          {"closed", choice.oracle->closed},
+                          {"closed_low", choice.oracle->closedInterval.low},
+                          {"closed_high", choice.oracle->closedInterval.high},
+                          {"agrees", choice.oracle->agrees}};
+    for (const VariantChoice::Variant& variant : choice.variants)
+        json["variants"].push_back({{"name", variant.name},
+                                    {"mean", variant.mean},
+                                    {"chosen", variant.chosen},
+                                    {"gain", variant.gain},
+                                    {"gain_low", variant.gainInterval.low},
+                                    {"gain_high", variant.gainInterval.high}});
+    return json;
+}
+
 }  // namespace
 
 std::string inspectionJson(const LogInspection& inspection) {
@@ -207,23 +225,26 @@ std::string experimentJson(const ExperimentSummary& summary, const std::string& 
     return json.dump(2);
 }
 
-std::string learnedTaskJson(const TaskData& data, std::size_t heldOut, const std::vector<TaskScore>& scores,
-                            const std::string& file) {
+std::string learnedTaskJson(const TaskData& data, const TaskJudgement& judgement, const std::string& file) {
     Printed json{{"network", file},
                  {"target", data.target},
                  {"inputs", data.inputs},
                  {"rows", data.rows()},
-                 {"held_out", heldOut},
+                 {"held_out", judgement.heldOut.rows()},
                  {"left_out", {{"unfinished", data.unfinished}, {"faulty", data.faulty}, {"unknown", data.unknown}}}};
-    for (const TaskScore& score : scores)
-        json["scores"].push_back({{"name", score.name},
-                                  {"rows", score.rows},
-                                  {"share", score.share},
-                                  {"share_low", score.shareLow},
-                                  {"share_high", score.shareHigh},
-                                  {"mean_absolute", score.absolute},
-                                  {"root_mean_square", score.rootMeanSquare},
-                                  {"bias", score.bias}});
+    for (const TaskJudgement::Predictor& predictor : judgement.predictors) {
+        const TaskScore& score = predictor.score;
+        Printed one{{"name", predictor.name},
+                    {"values", score.values},
+                    {"share", score.share},
+                    {"share_low", score.shareInterval.low},
+                    {"share_high", score.shareInterval.high},
+                    {"mean_absolute", score.absolute},
+                    {"root_mean_square", score.rootMeanSquare},
+                    {"bias", score.bias}};
+        if (predictor.choice) one["choice"] = choiceJson(*predictor.choice);
+        json["scores"].push_back(std::move(one));
+    }
     return json.dump(2);
 }
 

@@ -11,7 +11,7 @@
 #include "perception/sensor_network.h"
 #include "recording/recording.h"
 #include "recording/replay.h"
-#include "tasks/task_learning.h"
+#include "tasks/task_judgement.h"
 
 namespace mrose {
 
@@ -38,9 +38,8 @@ std::string batchJson(const BatchSummary& summary, const std::string& folder);
 
 std::string experimentJson(const ExperimentSummary& summary, const std::string& folder);
 
-/// `heldOut`: rows; `file`: the network's.
-std::string learnedTaskJson(const TaskData& data, std::size_t heldOut, const std::vector<TaskScore>& scores,
-                            const std::string& file);
+/// `file`: the network's.
+std::string learnedTaskJson(const TaskData& data, const TaskJudgement& judgement, const std::string& file);
 
 std::string replayJson(const Recording& recording, const ReplayReport& report);
 

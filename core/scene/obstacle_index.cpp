@@ -12,6 +12,15 @@ constexpr double mostCells = 1'000'000;  // a larger place has larger cells
 // So many are looked at one by one.
 constexpr std::size_t fewPieces = 32;
 
+/// How far a point is at least from a piece; negative within it.
+double leastDistance(const ConvexPiece& piece, const Point& point) {
+    if (piece.isCircle()) return distance(piece.centre, point) - piece.radius;
+    double outside = dot(piece.normals[0], point - piece.corners[0]);
+    for (std::size_t i = 1; i < piece.count; ++i)
+        outside = std::max(outside, dot(piece.normals[i], point - piece.corners[i]));
+    return outside;
+}
+
 }  // namespace
 
 ObstacleIndex::Box ObstacleIndex::boxOf(const ConvexPiece& piece) {
@@ -35,7 +44,7 @@ void ObstacleIndex::visitCells(const ConvexPiece& piece, Visit visit) const {
             // A slanted wall's box is much larger than the wall.
             const Point centre =
                 corner_ + Point{(static_cast<double>(c) + 0.5) * cell_, (static_cast<double>(r) + 0.5) * cell_};
-            if (nearer(ConvexPiece::circle(centre, cell_ * 0.7072), piece, margin_)) visit(cellOf(c, r));
+            if (leastDistance(piece, centre) < cell_ * 0.7072 + margin_) visit(cellOf(c, r));
         }
 }
 
@@ -93,12 +102,20 @@ ObstacleIndex::ObstacleIndex(const Environment& environment, double margin)
     rows_ = static_cast<std::size_t>(size.y * perCell_) + 1;
     size_ = {static_cast<double>(columns_), static_cast<double>(rows_)};
     begins_.assign(columns_ * rows_ + 1, 0);
-    for (const ConvexPiece& piece : pieces_) visitCells(piece, [&](std::size_t cell) { ++begins_[cell + 1]; });
+    struct Entry {
+        std::size_t cell;
+        std::uint32_t piece;
+    };
+    std::vector<Entry> found;
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+        visitCells(pieces_[i], [&](std::size_t cell) {
+            found.push_back({cell, i});
+            ++begins_[cell + 1];
+        });
     for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
     entries_.resize(begins_.back());
     std::vector<std::uint32_t> filled(begins_.begin(), begins_.end() - 1);
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-        visitCells(pieces_[i], [&](std::size_t cell) { entries_[filled[cell]++] = i; });
+    for (const Entry& entry : found) entries_[filled[entry.cell]++] = entry.piece;
 }
 
 }  // namespace mrose

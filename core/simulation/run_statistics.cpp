@@ -2,20 +2,24 @@
 
 namespace mrose {
 
-RunStatistics::RunStatistics(const Scenario& scenario)
+RunStatistics::RunStatistics(const Scenario& scenario, const WorldState& start)
     : goals(scenario.scene().environment.goals.size()),
       driven(scenario.scene().robots.size()),
       scenario_(&scenario),
       touchCounter_(scenario.scene().tickLength) {
+    for (const RobotState& robot : start.robots) places_.push_back(position(robot.pose));
     const Scene& scene = scenario.scene();
     while (ball_ < scene.objects.size() && !scene.typeOfObject(ball_).rolls) ++ball_;
 }
 
-void RunStatistics::add(const WorldState& before, const WorldState& after, const StepTrace& trace) {
+void RunStatistics::add(const WorldState& after, const StepTrace& trace) {
     ++ticks;
     goals = after.goals;
-    for (std::size_t i = 0; i < driven.size(); ++i)
-        driven[i] += distance(position(before.robots[i].pose), position(after.robots[i].pose));
+    for (std::size_t i = 0; i < driven.size(); ++i) {
+        const Point now = position(after.robots[i].pose);
+        driven[i] += distance(places_[i], now);
+        places_[i] = now;
+    }
     for (const StepTrace::Kicked& kicked : trace.kicks) {
         ++kicks;
         hits += kicked.hit ? 1 : 0;

@@ -24,14 +24,16 @@ struct RunStatistics {
     std::vector<double> driven;        ///< by each robot, m
     Nanoseconds ballStill = 0;         ///< how long the first ball lay still: of ticks at whose end it did
 
-    explicit RunStatistics(const Scenario& scenario);
-    /// One tick: the state before and after it, and its trace.
-    void add(const WorldState& before, const WorldState& after, const StepTrace& trace);
+    /// Of a run that begins at `start`.
+    RunStatistics(const Scenario& scenario, const WorldState& start);
+    /// One tick: the state after it, and its trace.
+    void add(const WorldState& after, const StepTrace& trace);
 
 private:
     const Scenario* scenario_;
     TouchCounter touchCounter_;
-    std::size_t ball_ = 0;  ///< among the objects; behind the last: there is none
+    std::vector<Point> places_;  ///< of the robots, before the next tick
+    std::size_t ball_ = 0;       ///< among the objects; behind the last: there is none
 };
 
 /// "robot 2 (keeper)": counted from 1, people after the robots under a word of their own.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "experiment/run.h"
 
@@ -35,16 +36,91 @@ Expected<std::size_t> columnOf(const ResultsTable& table, std::string_view kind,
                 0, flag);
 }
 
+/// Which variant and which seed each row is of.
+struct RunsTable {
+    std::vector<std::string> variants;
+    std::vector<std::string> seeds;
+    std::vector<std::size_t> variantOf, seedOf;  ///< [row]
+};
+RunsTable runsOf(const ResultsTable& table) {
+    RunsTable runs;
+    const std::size_t number = table.columnOf("variant"), called = table.columnOf("variant_name");
+    const std::size_t seed = table.columnOf("seed");
+    std::vector<std::string> numbers;
+    const auto indexOf = [](std::vector<std::string>& known, const std::string& one) {
+        const auto at = std::ranges::find(known, one);
+        if (at != known.end()) return static_cast<std::size_t>(at - known.begin());
+        known.push_back(one);
+        return known.size() - 1;
+    };
+    for (const std::vector<std::string>& row : table.rows) {
+        const std::size_t variant = indexOf(numbers, row[number]);
+        if (variant == runs.variants.size()) runs.variants.push_back(row[called]);
+        runs.variantOf.push_back(variant);
+        runs.seedOf.push_back(indexOf(runs.seeds, row[seed]));
+    }
+    return runs;
+}
+
+/// Rows that are runs, made rows that are trials.
+Expected<TaskData> byVariant(TaskData of, const std::vector<std::size_t>& kept, const ResultsTable& table) {
+    const RunsTable runs = runsOf(table);
+    const std::size_t variants = runs.variants.size(), seeds = runs.seeds.size(), width = of.inputs.size();
+    if (variants < 2)
+        return fail(table.file, "has one variant alone; expected several to choose from", 0, "--by-variant");
+    struct Cells {
+        std::vector<double> x, y;
+        std::string window;
+        std::size_t known = 0;
+    };
+    std::map<std::uint32_t, Cells> trials;
+    const std::size_t trial = table.columnOf("trial");
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+        trials[static_cast<std::uint32_t>(table.number(row, trial))].y.assign(seeds * variants, 0);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        Cells& cells = trials[of.trial[i]];
+        if (cells.x.empty()) cells.x.assign(of.inputsOf(i), of.inputsOf(i) + width), cells.window = of.window[i];
+        cells.y[runs.seedOf[kept[i]] * variants + runs.variantOf[kept[i]]] = of.y[i];
+        ++cells.known;
+    }
+    TaskData data{.inputs = std::move(of.inputs), .target = std::move(of.target), .variants = runs.variants};
+    data.seeds = seeds;
+    data.unfinished = of.unfinished, data.faulty = of.faulty;
+    for (const auto& [number, cells] : trials) {
+        if (cells.known != seeds * variants) {
+            ++data.unknown;
+            continue;
+        }
+        data.trial.push_back(number);
+        data.window.push_back(cells.window);
+        data.x.insert(data.x.end(), cells.x.begin(), cells.x.end());
+        data.bySeed.insert(data.bySeed.end(), cells.y.begin(), cells.y.end());
+        for (std::size_t variant = 0; variant < variants; ++variant) {
+            double sum = 0;
+            for (std::size_t seed = 0; seed < seeds; ++seed) sum += cells.y[seed * variants + variant];
+            data.y.push_back(sum / static_cast<double>(seeds));
+        }
+    }
+    return data;
+}
+
 }  // namespace
 
 TaskData TaskData::part(int every, int offset, bool heldOut) const {
-    TaskData part{inputs, target, {}, {}, {}, {}};
+    TaskData part{.inputs = inputs, .target = target, .variants = variants};
+    part.seeds = seeds;
     for (const Guess& guess : beside) part.beside.push_back({guess.name, {}});
+    const auto take = [](const std::vector<double>& from, std::size_t row, std::size_t width, std::vector<double>& to) {
+        const auto first = from.begin() + static_cast<std::ptrdiff_t>(row * width);
+        to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(width));
+    };
     for (std::size_t row = 0; row < rows(); ++row) {
         if ((static_cast<int>(trial[row] % static_cast<std::uint32_t>(every)) == offset) != heldOut) continue;
-        part.x.insert(part.x.end(), inputsOf(row), inputsOf(row) + inputs.size());
-        part.y.push_back(y[row]);
+        take(x, row, inputs.size(), part.x);
+        take(y, row, outputs(), part.y);
+        if (!variants.empty()) take(bySeed, row, seeds * variants.size(), part.bySeed);
         part.trial.push_back(trial[row]);
+        if (!window.empty()) part.window.push_back(window[row]);
         for (std::size_t k = 0; k < beside.size(); ++k) part.beside[k].of.push_back(beside[k].of[row]);
     }
     return part;
@@ -74,7 +150,8 @@ Expected<TaskData> taskData(const ResultsTable& table, const TaskQuestion& quest
     if (!inputs) return tl::unexpected(inputs.error());
     if (!beside) return tl::unexpected(beside.error());
     for (const std::string& name : question.beside) data.beside.push_back({name, {}});
-    const std::size_t end = table.columnOf("end"), trial = table.columnOf("trial");
+    std::vector<std::size_t> kept;
+    const std::size_t end = table.columnOf("end"), trial = table.columnOf("trial"), window = table.columnOf("window");
     // Without `until` all last as long.
     const bool ends =
         std::ranges::any_of(table.rows, [&](const auto& row) { return row[end] == name(RunEnd::condition); });
@@ -98,11 +175,19 @@ Expected<TaskData> taskData(const ResultsTable& table, const TaskQuestion& quest
         for (std::size_t k = 0; k < beside->size(); ++k) data.beside[k].of.push_back(table.number(row, (*beside)[k]));
         data.y.push_back(y);
         data.trial.push_back(static_cast<std::uint32_t>(table.number(row, trial)));
+        data.window.push_back(window < table.columns.size() ? table.rows[row][window] : "");
+        kept.push_back(row);
+    }
+    if (question.byVariant) {
+        auto chosen = byVariant(std::move(data), kept, table);
+        if (!chosen) return chosen;
+        data = std::move(*chosen);
     }
     if (data.rows() == 0)
         return fail(table.file, "has no row to learn from: " + std::to_string(data.unfinished) +
                                     " not ended by `until`, " + std::to_string(data.faulty) + " by a fault, " +
-                                    std::to_string(data.unknown) + " without numbers");
+                                    std::to_string(data.unknown) + (question.byVariant ? " trials" : "") +
+                                    " without numbers");
     return data;
 }
 

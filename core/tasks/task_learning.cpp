@@ -1,9 +1,9 @@
 #include "tasks/task_learning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 
@@ -15,7 +15,6 @@
 #include "learning/parallel_for.h"
 #include "learning/squared_error.h"
 #include "learning/trainer.h"
-#include "world/noise.h"
 
 namespace mrose {
 namespace {
@@ -30,13 +29,10 @@ constexpr int mostNeighbours = 32;
 /// Rows, standardised.
 struct Rows {
     PatternMatrix inputs;
-    std::vector<float> targets;  ///< [row]
+    std::vector<float> targets;  ///< [row][output]
+    std::size_t outputs = 1;
 
-    PatternSet patterns() const {
-        PatternSet set{inputs, PatternMatrix(targets.size(), 1)};
-        for (std::size_t i = 0; i < targets.size(); ++i) set.targets(i, 0) = targets[i];
-        return set;
-    }
+    PatternSet patterns() const { return {inputs, PatternMatrix::fromRows(targets, static_cast<int>(outputs))}; }
 };
 
 NetworkVariable standardised(const std::string& name, const std::vector<double>& values) {
@@ -56,6 +52,11 @@ public:
         if (data_.rows() < fewestRows)
             return fail("", "leaves " + std::to_string(data_.rows()) + " rows to learn from; expected at least " +
                                 std::to_string(fewestRows));
+        if (data_.inputs.size() > LearnedNetwork::maxInputs || data_.outputs() > LearnedNetwork::maxOutputs)
+            return fail("", "has " + std::to_string(data_.inputs.size()) + " inputs and " +
+                                std::to_string(data_.outputs()) + " outputs; expected at most " +
+                                std::to_string(LearnedNetwork::maxInputs) + " and " +
+                                std::to_string(LearnedNetwork::maxOutputs));
         if (how_.logarithmic && *std::ranges::min_element(data_.y) <= 0)
             return fail("", "is not above 0 in all rows, and has no logarithm", 0, data_.target);
         describe();
@@ -78,16 +79,22 @@ private:
             network_.seen.push_back({*least, *most});
             learned.inputs.push_back(standardised(data_.inputs[i], column));
         }
-        std::vector<double> y = data_.y;
-        if (how_.logarithmic)
-            for (double& value : y) value = logarithm(value);
-        learned.outputs = {standardised(data_.target, y)};
-        network_.logarithmic = {how_.logarithmic};
+        for (std::size_t k = 0; k < data_.outputs(); ++k) {
+            std::vector<double> column;
+            for (std::size_t row = 0; row < data_.rows(); ++row) column.push_back(learnedValue(row, k));
+            learned.outputs.push_back(standardised(data_.variants.empty() ? data_.target : data_.variants[k], column));
+        }
+        network_.logarithmic.assign(data_.outputs(), how_.logarithmic);
         learned.training.loss = "squared error";
         learned.training.seed = how_.seed;
         learned.training.patterns = static_cast<std::int64_t>(data_.rows());
         learned.holdOut.every = TaskLearning::every;
         learned.holdOut.offset = TaskLearning::offset;
+    }
+
+    double learnedValue(std::size_t row, std::size_t output) const {
+        const double y = data_.y[row * data_.outputs() + output];
+        return how_.logarithmic ? logarithm(y) : y;
     }
 
     /// Parts are of whole trials.
@@ -97,17 +104,18 @@ private:
     template <class Takes>
     Rows rowsWhere(const Takes& takes) const {
         std::vector<float> x;
-        Rows rows;
+        Rows rows{.inputs = {}, .targets = {}, .outputs = data_.outputs()};
         const std::size_t width = data_.inputs.size();
-        const NetworkVariable& output = network_.learned.outputs[0];
         for (std::size_t row = 0; row < data_.rows(); ++row) {
             if (!takes(row)) continue;
             for (std::size_t i = 0; i < width; ++i) {
                 const NetworkVariable& input = network_.learned.inputs[i];
                 x.push_back(static_cast<float>((data_.inputsOf(row)[i] - input.mean) / input.scale));
             }
-            const double y = how_.logarithmic ? logarithm(data_.y[row]) : data_.y[row];
-            rows.targets.push_back(static_cast<float>((y - output.mean) / output.scale));
+            for (std::size_t k = 0; k < rows.outputs; ++k) {
+                const NetworkVariable& output = network_.learned.outputs[k];
+                rows.targets.push_back(static_cast<float>((learnedValue(row, k) - output.mean) / output.scale));
+            }
         }
         rows.inputs = PatternMatrix::fromRows(x, static_cast<int>(width));
         return rows;
@@ -151,7 +159,7 @@ private:
         network_.learned.training.method = nameOf(options.method);
         for (int member = 0; member < how_.members; ++member) {
             const PatternSet learned = part(member, false).patterns(), held = part(member, true).patterns();
-            const MlpShape shape{static_cast<int>(data_.inputs.size()), how_.hidden, 1};
+            const MlpShape shape{static_cast<int>(data_.inputs.size()), how_.hidden, static_cast<int>(data_.outputs())};
             SquaredError objective(shape, learned, held);
             Mlp network = randomMlp(shape, {.seed = 64 * how_.seed + static_cast<std::uint64_t>(member)});
             TrainingResult result = train(objective, network.parameters, options, [&](const TrainingProgress& at) {
@@ -168,8 +176,8 @@ private:
 
     /// A sum of grids: of each input alone, and of each pair.
     LookupTable grids() const {
-        const int width = static_cast<int>(data_.inputs.size());
-        LookupTable table{width, 1, {}};
+        const int width = static_cast<int>(data_.inputs.size()), outputs = static_cast<int>(data_.outputs());
+        LookupTable table{width, outputs, {}};
         const auto axis = [&](int input, int knots) {
             const NetworkVariable& variable = network_.learned.inputs[static_cast<std::size_t>(input)];
             const TaskNetwork::Range& range = network_.seen[static_cast<std::size_t>(input)];
@@ -181,7 +189,7 @@ private:
         };
         const auto add = [&](std::vector<LookupTable::Axis> axes) {
             LookupTable::Grid grid{std::move(axes), {}};
-            grid.values.assign(grid.points(), 0.0f);
+            grid.values.assign(grid.points() * data_.outputs(), 0.0f);
             table.grids.push_back(std::move(grid));
         };
         for (int i = 0; i < width; ++i) add({axis(i, knotsAlone)});
@@ -192,11 +200,15 @@ private:
 
     std::optional<Regressor> table() {
         const auto dataOf = [](const Rows& rows) {
-            LikelihoodData data{rows.inputs, {{"y", "1", 0, 1}}, {}};
+            LikelihoodData data{rows.inputs, std::vector<NetworkVariable>(rows.outputs, {"y", "1", 0, 1}), {}};
             data.loss = [&rows](std::size_t p, std::span<const double> values, double* gradient) {
-                const double off = values[0] - static_cast<double>(rows.targets[p]);
-                gradient[0] = 2 * off;
-                return off * off;
+                double squares = 0;
+                for (std::size_t k = 0; k < rows.outputs; ++k) {
+                    const double off = values[k] - static_cast<double>(rows.targets[p * rows.outputs + k]);
+                    gradient[k] = 2 * off;
+                    squares += off * off;
+                }
+                return squares;
             };
             return data;
         };
@@ -227,15 +239,21 @@ private:
     std::optional<Regressor> grown() {
         if (!goesOn(0)) return std::nullopt;
         const Rows rows = all();
-        const std::vector<double> target(rows.targets.begin(), rows.targets.end());
-        return growMeanTrees(rows.inputs, std::span(&target, 1),
-                             {.trees = how_.trees, .depth = 20, .leaf = 3, .seed = how_.seed});
+        std::vector<std::vector<double>> targets(rows.outputs);
+        for (std::size_t i = 0; i < rows.targets.size(); ++i)
+            targets[i % rows.outputs].push_back(static_cast<double>(rows.targets[i]));
+        return growMeanTrees(rows.inputs, targets, {.trees = how_.trees, .depth = 20, .leaf = 3, .seed = how_.seed});
     }
 
     /// With as many neighbours as predict one part best.
     std::optional<Regressor> neighbours() {
         const auto remember = [&](const Rows& rows) {
-            NearestNeighbours of{static_cast<int>(data_.inputs.size()), 1, 1, {}, rows.inputs.toRows(), rows.targets};
+            NearestNeighbours of{static_cast<int>(data_.inputs.size()),
+                                 static_cast<int>(rows.outputs),
+                                 1,
+                                 {},
+                                 rows.inputs.toRows(),
+                                 rows.targets};
             of.read.resize(data_.inputs.size());
             std::iota(of.read.begin(), of.read.end(), 0);
             return of;
@@ -248,12 +266,15 @@ private:
         for (int count = 1; count <= mostNeighbours && count <= static_cast<int>(trial.patterns()); count *= 2) {
             if (!goesOn(0.1 * count / mostNeighbours)) return std::nullopt;
             trial.neighbours = count;
-            std::vector<double> squares(held.targets.size());
+            std::vector<double> squares(held.targets.size() / held.outputs);
             parallelFor(squares.size(), [&](std::size_t row) {
-                float y = 0;
-                trial.evaluate(asked.data() + row * data_.inputs.size(), &y);
-                const double off = static_cast<double>(y) - static_cast<double>(held.targets[row]);
-                squares[row] = off * off;
+                std::array<float, LearnedNetwork::maxOutputs> y;
+                trial.evaluate(asked.data() + row * data_.inputs.size(), y.data());
+                for (std::size_t k = 0; k < held.outputs; ++k) {
+                    const double off =
+                        static_cast<double>(y[k]) - static_cast<double>(held.targets[row * held.outputs + k]);
+                    squares[row] += off * off;
+                }
             });
             const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
             if (sum < best) best = sum, chosen = count;
@@ -273,75 +294,28 @@ private:
 
 }  // namespace
 
+double shareOff(const TaskData& data, const std::vector<double>& predicted) {
+    double off = 0, all = 0;
+    for (std::size_t i = 0; i < data.y.size(); ++i)
+        if (!std::isnan(predicted[i])) off += std::abs(predicted[i] - data.y[i]), all += std::abs(data.y[i]);
+    return off / all;
+}
+
 Expected<TaskNetwork> learnTask(const TaskData& data, const TaskLearning& how, const Progress& progress) {
     auto network = TaskLearner(data, how, progress).learn();
     if (!network) return network;
     const TaskData held = data.part(TaskLearning::every, TaskLearning::offset, true);
-    if (held.rows() > 0) network->heldOutError = scoreOf("", held, predictions(*network, held)).share;
+    if (held.rows() > 0) network->heldOutError = shareOff(held, predictions(*network, held));
     return network;
 }
 
 std::vector<double> predictions(const TaskNetwork& network, const TaskData& data) {
     const TaskInference inference(network);
-    std::vector<double> predicted(data.rows());
-    parallelFor(predicted.size(), [&](std::size_t row) { inference.evaluate(data.inputsOf(row), &predicted[row]); });
+    const std::size_t outputs = inference.outputs();
+    std::vector<double> predicted(data.rows() * outputs);
+    parallelFor(data.rows(),
+                [&](std::size_t row) { inference.evaluate(data.inputsOf(row), &predicted[row * outputs]); });
     return predicted;
-}
-
-TaskScore scoreOf(const std::string& name, const TaskData& judged, const std::vector<double>& predicted) {
-    constexpr std::uint32_t draws = 1000;
-    struct Sums {
-        double error = 0, value = 0;
-    };
-    std::map<std::uint32_t, Sums> trials;
-    TaskScore score{.name = name};
-    Sums all;
-    for (std::size_t row = 0; row < judged.rows(); ++row) {
-        const double off = predicted[row] - judged.y[row];
-        if (std::isnan(off)) continue;
-        ++score.rows;
-        score.bias += off;
-        score.rootMeanSquare += off * off;
-        all.error += std::abs(off), all.value += std::abs(judged.y[row]);
-        Sums& of = trials[judged.trial[row]];
-        of.error += std::abs(off), of.value += std::abs(judged.y[row]);
-    }
-    if (score.rows == 0) return score;
-    const auto count = static_cast<double>(score.rows);
-    score.bias /= count;
-    score.rootMeanSquare = std::sqrt(score.rootMeanSquare / count);
-    score.absolute = all.error / count;
-    score.share = all.error / all.value;
-    std::vector<Sums> each;
-    for (const auto& [trial, sums] : trials) each.push_back(sums);
-    std::vector<double> shares(draws);
-    parallelFor(draws, [&](std::size_t draw) {
-        Sums drawn;
-        for (std::size_t i = 0; i < each.size(); ++i) {
-            const double u = uniformNoise({0, static_cast<std::int64_t>(i), static_cast<std::uint32_t>(draw), 0});
-            const Sums& one = each[static_cast<std::size_t>(u * static_cast<double>(each.size()))];
-            drawn.error += one.error, drawn.value += one.value;
-        }
-        shares[draw] = drawn.error / drawn.value;
-    });
-    std::sort(shares.begin(), shares.end());
-    score.shareLow = shares[static_cast<std::size_t>(0.025 * draws)];
-    score.shareHigh = shares[static_cast<std::size_t>(0.975 * draws)];
-    return score;
-}
-
-std::vector<TaskScore> heldOutScores(const TaskData& data, const std::vector<TaskNetwork>& learned) {
-    const TaskData held = data.part(TaskLearning::every, TaskLearning::offset, true);
-    const TaskData others = data.part(TaskLearning::every, TaskLearning::offset, false);
-    std::vector<TaskScore> scores;
-    for (const TaskNetwork& network : learned)
-        scores.push_back(
-            scoreOf(std::string(nameOf(familyOf(network.learned.regressor))), held, predictions(network, held)));
-    for (const TaskData::Guess& guess : held.beside) scores.push_back(scoreOf(guess.name, held, guess.of));
-    const double mean = std::accumulate(others.y.begin(), others.y.end(), 0.0) /
-                        static_cast<double>(std::max<std::size_t>(others.rows(), 1));
-    scores.push_back(scoreOf("mean of all", held, std::vector<double>(held.rows(), mean)));
-    return scores;
 }
 
 }  // namespace mrose

@@ -28,19 +28,9 @@ struct TaskLearning {
 /// of what is not above 0; `progress` ended it.
 Expected<TaskNetwork> learnTask(const TaskData& data, const TaskLearning& how, const Progress& progress = {});
 
-/// How well something predicts rows that it has not seen.
-struct TaskScore {
-    std::string name;
-    std::size_t rows = 0;
-    double absolute = 0, rootMeanSquare = 0, bias = 0;  ///< in the target's unit
-    double share = 0;                                   ///< sum of absolute errors over sum of absolute values
-    double shareLow = 0, shareHigh = 0;                 ///< its 95 % interval, by trials drawn with repetition
-};
-TaskScore scoreOf(const std::string& name, const TaskData& judged, const std::vector<double>& predicted);
+std::vector<double> predictions(const TaskNetwork& network, const TaskData& data);  ///< [row][output]
 
-std::vector<double> predictions(const TaskNetwork& network, const TaskData& data);
-
-/// What is held out: what a learned network, each guess and the mean of what was learned from say of it.
-std::vector<TaskScore> heldOutScores(const TaskData& data, const std::vector<TaskNetwork>& learned);
+/// The sum of absolute errors over the sum of absolute values, of rows for which there is a prediction.
+double shareOff(const TaskData& data, const std::vector<double>& predicted);
 
 }  // namespace mrose

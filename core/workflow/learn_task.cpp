@@ -1,6 +1,7 @@
 #include "workflow/learn_task.h"
 
 #include "io/file.h"
+#include "report/task_report.h"
 #include "workflow/outputs.h"
 
 namespace mrose {
@@ -10,6 +11,9 @@ Expected<LearnedTask> learnTask(const LearnRequest& request, const Progress& pro
     if (!table) return tl::unexpected(table.error());
     if (const auto can = checkOutput(request.output, {table->file}, request.overwrite); !can)
         return tl::unexpected(can.error());
+    if (!request.report.empty())
+        if (const auto can = checkTaskReportFolder(request.report, request.overwrite); !can)
+            return tl::unexpected(can.error());
     auto data = taskData(*table, request.question);
     if (!data) return tl::unexpected(data.error());
     std::vector<TaskLearning> all{request.learning};
@@ -31,11 +35,17 @@ Expected<LearnedTask> learnTask(const LearnRequest& request, const Progress& pro
     const auto bytes = readFile(table->file);
     if (!bytes) return tl::unexpected(bytes.error());
     training.logs = {{table->file, contentHash(*bytes)}};
+    TaskJudgement judgement = judge(*data, networks, request.question.greatest);
     if (const auto written = writeFileAtomically(request.output, taskFileText(networks.front())); !written)
         return tl::unexpected(written.error());
-    LearnedTask learned{networks.front(), std::move(*data), 0, {}};
-    learned.heldOut = learned.data.part(TaskLearning::every, TaskLearning::offset, true).rows();
-    learned.scores = heldOutScores(learned.data, networks);
+    LearnedTask learned{std::move(networks.front()), std::move(*data), std::move(judgement)};
+    if (request.report.empty()) return learned;
+    ReportContext context;
+    context.program = "mrose " MROSE_VERSION;
+    context.commandLine = request.command;
+    const auto written = writeTaskReport(
+        {table->file, request.output, learned.network, learned.data, learned.judgement}, context, request.report);
+    if (!written) return tl::unexpected(written.error());
     return learned;
 }
 

@@ -29,11 +29,10 @@ RunStatistics statisticsOf(const Scenario& scenario, int ticks, WorldState* last
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     StepTrace trace;
-    RunStatistics statistics(scenario);
+    RunStatistics statistics(scenario, state);
     for (int i = 0; i < ticks; ++i) {
-        const WorldState before = state;
         step(scenario, state, buffers, {}, &trace);
-        statistics.add(before, state, trace);
+        statistics.add(state, trace);
     }
     if (last != nullptr) *last = state;
     return statistics;
@@ -66,7 +65,7 @@ TEST(RunStatistics, TouchCountsWhenItBegins) {
                                   .object(ballType(), {4, 0, 0})
                                   .scenario();
     const WorldState state = scenario.initialState();
-    RunStatistics statistics(scenario);
+    RunStatistics statistics(scenario, state);
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     const std::pair<Pairs, std::int64_t> ticks[] = {
         {{}, 0},
@@ -128,7 +127,7 @@ TEST(RunStatistics, BallThatRollsOutLiesStillForTheRest) {
         state.objects[1].roll_W = {speed, 0};
         StepBuffers buffers;
         StepTrace trace;
-        RunStatistics statistics(scenario);
+        RunStatistics statistics(scenario, state);
         for (int i = 0; i < 1000; ++i) {
             const WorldState before = state;
             step(scenario, state, buffers, {}, &trace);

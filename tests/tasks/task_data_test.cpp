@@ -76,6 +76,40 @@ TEST_F(TaskDataTest, TrialsAreHeldOutWhole) {
     for (const std::uint32_t trial : others.trial) EXPECT_NE(trial % 5, 0u);
 }
 
+constexpr const char* variants =
+    "trial,seed,variant,variant_name,end,feature.a,measure.t,window\n"
+    "1,7,1,here,condition,0.5,2.0,mrose-gui first\n"
+    "1,8,1,here,condition,0.5,3.0,\n"
+    "1,7,2,there,condition,0.5,4.0,\n"
+    "1,8,2,there,duration,0.5,9.0,\n"
+    "2,7,1,here,condition,0.7,1.0,mrose-gui second\n"
+    "2,8,1,here,condition,0.7,1.5,\n"
+    "2,7,2,there,condition,0.7,6.0,\n"
+    "2,8,2,there,condition,0.7,7.0,\n";
+
+TEST_F(TaskDataTest, ByVariantARowIsATrialWithAllItsRuns) {
+    folder_.write("results.csv", variants);
+    const auto table = readResultsTable(folder_.path());
+    ASSERT_TRUE(table);
+    const auto data = taskData(*table, {.target = "t", .byVariant = true});
+    ASSERT_TRUE(data) << data.error().message();
+    EXPECT_THAT(data->variants, ElementsAre("here", "there"));
+    EXPECT_THAT(data->trial, ElementsAre(2u)) << "the first has a run that did not end";
+    EXPECT_THAT(data->y, ElementsAre(1.25, 6.5));
+    EXPECT_THAT(data->bySeed, ElementsAre(1.0, 6.0, 1.5, 7.0));
+    EXPECT_THAT(data->window, ElementsAre("mrose-gui second"));
+    EXPECT_EQ(data->seeds, 2u);
+    EXPECT_EQ(data->unfinished, 1);
+    EXPECT_EQ(data->unknown, 1);
+    const auto all = taskData(*table, {.target = "t", .unfinished = true, .byVariant = true});
+    EXPECT_THAT(all->y, ElementsAre(2.5, 6.5, 1.25, 6.5));
+    const TaskData held = all->part(2, 0, true);
+    EXPECT_THAT(held.bySeed, ElementsAre(1.0, 6.0, 1.5, 7.0));
+    EXPECT_THAT(held.y, ElementsAre(1.25, 6.5));
+    EXPECT_EQ(held.outputs(), 2u);
+    EXPECT_THAT(refusal({.target = "t", .byVariant = true}), HasSubstr("--by-variant: has one variant alone"));
+}
+
 TEST_F(TaskDataTest, WhatIsMissingIsToldWithWhatThereIs) {
     EXPECT_THAT(refusal({.target = "x"}), HasSubstr("results.csv: --target: has no measure \"x\"; it has t, c"));
     EXPECT_THAT(refusal({.inputs = {"c"}, .target = "t"}),

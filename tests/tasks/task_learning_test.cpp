@@ -1,11 +1,13 @@
 #include "tasks/task_learning.h"
 
+#include <array>
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "tasks/task_judgement.h"
 #include "world/noise.h"
 
 namespace mrose {
@@ -42,18 +44,19 @@ TEST_P(TaskFamilies, LearnWhatIsThereToBeLearned) {
     const TaskData data = synthetic(1500);
     const auto network = learnTask(data, how());
     ASSERT_TRUE(network) << network.error().message();
-    const auto scores = heldOutScores(data, {*network});
-    ASSERT_EQ(scores.size(), 2u);
-    EXPECT_EQ(scores[0].name, nameOf(GetParam()));
-    EXPECT_EQ(scores[0].rows, 600u);
+    const auto predictors = judge(data, {*network}).predictors;
+    ASSERT_EQ(predictors.size(), 2u);
+    EXPECT_EQ(predictors[0].name, nameOf(GetParam()));
+    const TaskScore &score = predictors[0].score, &guess = predictors[1].score;
+    EXPECT_EQ(score.values, 600u);
     const double most = GetParam() == RegressorFamily::network ? 0.01
                         : GetParam() == RegressorFamily::table ? 0.03
                                                                : 0.06;
-    EXPECT_LT(scores[0].share, most);
-    EXPECT_EQ(network->heldOutError, scores[0].share);
-    EXPECT_LE(scores[0].shareLow, scores[0].share);
-    EXPECT_GE(scores[0].shareHigh, scores[0].share);
-    EXPECT_GT(scores[1].share, 0.3) << "the mean of all";
+    EXPECT_LT(score.share, most);
+    EXPECT_EQ(network->heldOutError, score.share);
+    EXPECT_LE(score.shareInterval.low, score.share);
+    EXPECT_GE(score.shareInterval.high, score.share);
+    EXPECT_GT(guess.share, 0.3) << "the mean of all";
     EXPECT_EQ(network->learned.holdOut.every, 5);
     EXPECT_TRUE(network->learned.synthetic);
 }
@@ -117,18 +120,39 @@ TEST(TaskLearningTest, TooFewRowsAreToldAndProgressEndsIt) {
     }
 }
 
-TEST(TaskScoreTest, AreWhatTheyAreCalled) {
-    TaskData data{.inputs = {"a"}, .target = "t"};
-    data.y = {1, 2, 3, 4}, data.x = {0, 0, 0, 0}, data.trial = {1, 2, 3, 4};
-    const TaskScore score = scoreOf("s", data, {1.5, 2, 2, std::nan("")});
-    EXPECT_EQ(score.rows, 3u) << "without the one that it does not know";
-    EXPECT_DOUBLE_EQ(score.absolute, 1.5 / 3);
-    EXPECT_DOUBLE_EQ(score.bias, -0.5 / 3);
-    EXPECT_DOUBLE_EQ(score.rootMeanSquare, std::sqrt(1.25 / 3));
-    EXPECT_DOUBLE_EQ(score.share, 1.5 / 6);
-    const TaskScore same = scoreOf("s", data, {1.1, 2.2, 3.3, 4.4});
-    EXPECT_NEAR(same.shareLow, 0.1, 1e-12) << "all trials are off by as much";
-    EXPECT_NEAR(same.shareHigh, 0.1, 1e-12);
+TEST(TaskLearningTest, ANetworkHasAnOutputForEachVariant) {
+    TaskData data = synthetic(600);
+    data.variants = {"first", "second"};
+    std::vector<double> both;
+    for (std::size_t row = 0; row < data.y.size(); ++row) {
+        both.push_back(data.y[row]);
+        both.push_back(5 - data.x[3 * row]);  // 5 - a
+    }
+    data.y = both;
+    for (const RegressorFamily family :
+         {RegressorFamily::network, RegressorFamily::table, RegressorFamily::trees, RegressorFamily::neighbours}) {
+        const auto network = learnTask(data, {.family = family, .hidden = 10, .members = 3, .trees = 30});
+        ASSERT_TRUE(network) << network.error().message();
+        ASSERT_EQ(network->learned.outputs.size(), 2u);
+        EXPECT_EQ(network->learned.outputs[1].name, "second");
+        const TaskInference inference(*network);
+        double values[2];
+        inference.evaluate(std::array{0.5, 1.0, 0.5}.data(), values);
+        EXPECT_NEAR(values[0], 3.25 + 2 * std::sin(1.0), 0.35) << nameOf(family);
+        EXPECT_NEAR(values[1], 4.5, 0.2) << nameOf(family);
+    }
+}
+
+TEST(TaskLearningTest, WhatNoFileHoldsIsRefused) {
+    TaskData data{.inputs = std::vector<std::string>(300, "i"), .target = "t"};
+    for (std::uint32_t trial = 1; trial <= 100; ++trial) {
+        data.x.insert(data.x.end(), 300, 0.0);
+        data.y.push_back(trial);
+        data.trial.push_back(trial);
+    }
+    const auto refused = learnTask(data, {});
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), HasSubstr("has 300 inputs and 1 outputs; expected at most 256 and 256"));
 }
 
 }  // namespace

@@ -1,0 +1,121 @@
+#include "report/task_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "drawing/svg_plot.h"
+#include "io/format.h"
+#include "report/legend.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::size_t mostDots = 1500;
+constexpr std::size_t tenths = 10;
+
+/// Those of which a line says something: all but the mean of all.
+std::size_t shownPredictors(const TaskJudgement& judgement) {
+    return std::min<std::size_t>(judgement.predictors.size() - 1, 6);
+}
+
+/// The share of rows, in order of an input, that belongs to a tenth.
+std::span<const std::size_t> tenthOf(std::span<const std::size_t> order, std::size_t tenth) {
+    const std::size_t from = order.size() * tenth / tenths, to = order.size() * (tenth + 1) / tenths;
+    return order.subspan(from, to - from);
+}
+
+double meanError(const TaskData& data, const std::vector<double>& predicted, std::span<const std::size_t> rows) {
+    double sum = 0, count = 0;
+    for (const std::size_t row : rows)
+        for (std::size_t i = row * data.outputs(); i < (row + 1) * data.outputs(); ++i)
+            if (!std::isnan(predicted[i])) sum += std::abs(predicted[i] - data.y[i]), ++count;
+    return sum / count;
+}
+
+double meanInput(const TaskData& data, std::size_t input, std::span<const std::size_t> rows) {
+    double sum = 0;
+    for (const std::size_t row : rows) sum += data.inputsOf(row)[input];
+    return sum / static_cast<double>(rows.size());
+}
+
+}  // namespace
+
+std::string predictionFigure(const TaskJudgement& judgement, std::size_t output) {
+    const TaskData& data = judgement.heldOut;
+    const std::vector<double>& predicted = judgement.predictors.front().predicted;
+    std::vector<Point> dots;
+    const std::size_t every = std::max<std::size_t>(1, data.rows() / mostDots);
+    double least = 0, most = 0;
+    for (std::size_t row = 0; row < data.rows(); row += every) {
+        const std::size_t i = row * data.outputs() + output;
+        dots.push_back({data.y[i], predicted[i]});
+        least = std::min({least, data.y[i], predicted[i]});
+        most = std::max({most, data.y[i], predicted[i]});
+    }
+    const PlotRange range = usable({least, most});
+    SvgPlot plot({.width = 440, .height = 420}, range, range, "Predicted against simulated, held out");
+    plot.axes(cat(data.target, " as simulated"), cat(data.target, " as predicted"));
+    const Point diagonal[] = {{range.low, range.low}, {range.high, range.high}};
+    plot.line(diagonal, "floorline");
+    for (const Point& dot : dots) plot.circle(dot, 2.2, "sample");
+    return plot.text();
+}
+
+std::string inputErrorFigure(const TaskJudgement& judgement, std::size_t input) {
+    const TaskData& data = judgement.heldOut;
+    std::vector<std::size_t> order(data.rows());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](std::size_t row) { return data.inputsOf(row)[input]; });
+    if (data.rows() < tenths || data.inputsOf(order.front())[input] == data.inputsOf(order.back())[input]) return {};
+    std::vector<std::vector<Point>> lines(shownPredictors(judgement));
+    PlotRange x{meanInput(data, input, tenthOf(order, 0)), meanInput(data, input, tenthOf(order, tenths - 1))};
+    double most = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        for (std::size_t tenth = 0; tenth < tenths; ++tenth) {
+            const auto rows = tenthOf(order, tenth);
+            lines[k].push_back(
+                {meanInput(data, input, rows), meanError(data, judgement.predictors[k].predicted, rows)});
+            if (k == 0 || lines[k].back().y < 5 * lines[0].back().y) most = std::max(most, lines[k].back().y);
+        }
+    SvgPlot plot({.width = 350, .height = 230}, usable(x), {0, 1.1 * most},
+                 cat("Mean absolute error against ", data.inputs[input]));
+    plot.axes(data.inputs[input], "mean |error|");
+    for (std::size_t k = lines.size(); k-- > 0;) plot.line(lines[k], seriesClass(k));
+    return plot.text();
+}
+
+std::string inputErrorLegend(const TaskJudgement& judgement) {
+    std::string entries;
+    for (std::size_t k = 0; k < shownPredictors(judgement); ++k)
+        entries += lineEntry(seriesClass(k), judgement.predictors[k].name);
+    return legend(entries);
+}
+
+std::string choiceFigure(const TaskJudgement& judgement) {
+    const VariantChoice& choice = *judgement.predictors.front().choice;
+    struct Bar {
+        std::string name;
+        double mean;
+        const char* cssClass;
+    };
+    std::vector<Bar> bars;
+    for (const VariantChoice::Variant& variant : choice.variants) bars.push_back({variant.name, variant.mean, "k0"});
+    bars.push_back({"chosen as learned", choice.mean, "k1"});
+    if (choice.oracle) bars.push_back({"best of each trial", choice.oracle->mean, "k2"});
+    double most = 0;
+    for (const Bar& bar : bars) most = std::max(most, bar.mean);
+    const double width = std::max(540.0, 96.0 * static_cast<double>(bars.size()) + 70);
+    SvgPlot plot({.width = width, .height = 300, .bottom = 40}, {0, static_cast<double>(bars.size())},
+                 {std::min(0.0, -0.15 * most), 1.15 * most}, "Means by variant and by choice");
+    plot.grid(roundStep(most / 5));
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        const double x = static_cast<double>(i);
+        plot.bar(x + 0.15, 0.7, bars[i].mean, bars[i].cssClass, cat(bars[i].name, ": ", fixed(bars[i].mean, 3)));
+        plot.label({x + 0.5, bars[i].mean}, 0, -7, fixed(bars[i].mean, 2), "title middle");
+        plot.label({x + 0.5, 0}, 0, 17, bars[i].name, "tick middle");
+    }
+    return plot.text();
+}
+
+}  // namespace mrose

@@ -1,0 +1,72 @@
+// Learning a measure of an experiment, as its users run it.
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "support/workshop.h"
+#include "world/noise.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+class LearnProgram : public Workshop {
+protected:
+    /// Results of two variants, of which the first costs a, the second 1 - a.
+    std::string results() {
+        std::string text = "trial,seed,variant,variant_name,end,feature.a,measure.cost,window\n";
+        for (int trial = 1; trial <= 200; ++trial)
+            for (int variant = 1; variant <= 2; ++variant) {
+                const double a = uniformNoise({1, trial, 0, 0});
+                text += std::to_string(trial) + ",1," + std::to_string(variant) + (variant == 1 ? ",up" : ",down") +
+                        ",condition," + std::to_string(a) + ',' + std::to_string(variant == 1 ? a : 1 - a) +
+                        ",mrose-gui x\n";
+            }
+        return write("results.csv", text);
+    }
+};
+
+TEST_F(LearnProgram, ChoosesAmongVariantsAndMakesAPage) {
+    const ProgramResult result = runMrose({"learn", results(), "--target", "cost", "--by-variant", "--hidden", "4",
+                                           "--members", "2", "--report", path("page"), "-o", path("choice.net")});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("200 trials, 40 of them held out"));
+    EXPECT_THAT(result.out, HasSubstr("better than every variant alone"));
+    EXPECT_THAT(read("choice.net"), HasSubstr("name = \"down\""));
+    EXPECT_THAT(read("page/report.html"), HasSubstr("Choosing by it"));
+    EXPECT_THAT(read("page/predictions.csv"), HasSubstr("trial,variant,a,cost,predicted.network"));
+    const ProgramResult again = runMrose({"learn", path("results.csv"), "--target", "cost", "--by-variant", "--report",
+                                          path("page"), "-o", path("other.net")});
+    expectOneLine(again, {"report.html", "--overwrite"});
+    EXPECT_EQ(read("other.net"), "");
+}
+
+TEST_F(LearnProgram, JsonHoldsWhatIsPrinted) {
+    const ProgramResult result = runMrose({"learn", results(), "--target", "cost", "--by-variant", "--hidden", "4",
+                                           "--members", "2", "-o", path("choice.net"), "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["held_out"], 40);
+    const Json& choice = json["scores"][0]["choice"];
+    EXPECT_NEAR(choice["mean"], 0.25, 0.1);
+    EXPECT_EQ(choice["variants"].size(), 2u);
+    EXPECT_GT(choice["variants"][0]["gain_low"], 0);
+    EXPECT_FALSE(choice.contains("oracle")) << "there is one seed alone";
+}
+
+TEST_F(LearnProgram, WhatDoesNotGoTogetherIsRefused) {
+    const std::string file = results();
+    expectOneLine(runMrose({"learn", file, "--target", "time", "-o", path("x.net")}),
+                  {"results.csv: --target: has no measure \"time\"; it has cost"});
+    expectOneLine(runMrose({"learn", file, "--target", "cost", "--greatest", "-o", path("x.net")}), {"--by-variant"},
+                  2);
+    expectOneLine(runMrose({"learn", file, "--target", "cost", "--by-variant", "--beside", "a", "-o", path("x.net")}),
+                  {"--by-variant"}, 2);
+    expectOneLine(runMrose({"learn", file, "--target", "cost", "-o", file}), {"results.csv"});
+    expectOneLine(runMrose({"learn", path("none"), "--target", "cost", "-o", path("x.net")}), {"none"});
+    EXPECT_EQ(read("x.net"), "");
+}
+
+}  // namespace
+}  // namespace mrose
