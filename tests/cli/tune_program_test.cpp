@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 
 #include "support/game_folder.h"
+#include "support/places.h"
 #include "tuning/lane.h"
+#include "workflow/read_trials.h"
 
 namespace mrose {
 namespace {
@@ -70,6 +72,9 @@ TEST_F(TuneProgram, SettingsAreForRunsBatchesAndExperiments) {
         EXPECT_EQ(bySettingsRows[i].at("world_hash"), bySetRows[i].at("world_hash"));
     EXPECT_THAT(bySettingsRows[0].at("command"), HasSubstr(" --settings "));
     EXPECT_THAT(bySettingsRows[0].at("window"), HasSubstr(" --settings "));
+    const auto listed = readTrials(path("tuned/results.csv"));
+    ASSERT_TRUE(listed) << listed.error().message();
+    EXPECT_EQ(listed->rows[0].request.settings, std::vector<std::string>{settings});
 }
 
 TEST_F(TuneProgram, ItsRowsAreRepeatedByTheirCommands) {

@@ -173,6 +173,8 @@ TEST(TunerTest, WhatIsNowIsTriedAsItIsAndKeptWhereNothingIsBetter) {
     EXPECT_EQ(result->candidates[0].values, std::vector<double>{0.123456789});
     EXPECT_EQ(result->best, 0u);
     EXPECT_EQ(result->before, result->after);
+    for (const Candidate& candidate : result->candidates)
+        EXPECT_NE(candidate.values, std::vector<double>{0.123}) << "what is now again, but rounded";
 }
 
 TEST(TunerTest, FewWholeValuesAreAllTriedAndThenItEnds) {
