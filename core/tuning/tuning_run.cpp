@@ -88,7 +88,11 @@ private:
 
     void runTrial(Workplace& place, std::uint32_t number) {
         auto trial = place.maker.make(number);
-        if (!trial) return fail(trial.error());
+        if (!trial) {
+            Error error = trial.error();
+            error.cause += ", with" + changes_;
+            return fail(error);
+        }
         ScenarioParts& parts = trial->scenarios.front().parts;
         if (options_.loaded) options_.loaded(parts);
         const Scenario scenario(std::move(parts));

@@ -74,12 +74,8 @@ Expected<TunedBehaviour> tuneBehaviour(const TuneRequest& request, const TuneWat
     DiskDescriptions source = openDescriptions();
     const auto file = DescriptionLibrary(source).file(request.file, folders);
     if (!file) return tl::unexpected(file.error());
-    auto tuning = readTuning(*file, source);
-    if (!tuning) return tl::unexpected(tuning.error());
-    if (const auto free = checkTuningFiles(request.folder); !free) return tl::unexpected(free.error());
-    if (watch.opened) watch.opened(*tuning);
     TuningOptions options;
-    // What is in their files is part of what the rows depend on: the first trial loads them.
+    // What is in their files is part of what the rows depend on: reading the tuning loads them.
     std::mutex mutex;
     std::map<std::string, std::string> plugins;
     const PluginLoader load = pluginLoader(request.plugins);
@@ -90,6 +86,10 @@ Expected<TunedBehaviour> tuneBehaviour(const TuneRequest& request, const TuneWat
         return load(path, with);
     };
     options.loaded = request.plugins.loaded;
+    auto tuning = readTuning(*file, source, options.loading);  // plug-ins, too, say what of a range does not fit
+    if (!tuning) return tl::unexpected(tuning.error());
+    if (const auto free = checkTuningFiles(request.folder); !free) return tl::unexpected(free.error());
+    if (watch.opened) watch.opened(*tuning);
     {
         TrialExpressions expressions(tuning->experiment);
         if (const auto first = TrialMaker(tuning->experiment, expressions, options.loading).make(1); !first)
