@@ -25,7 +25,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"motion", {"io", "geometry", "world", "learning"}},
     {"perception", {"io", "geometry", "world", "learning", "logs"}},
     {"identification", {"io", "geometry", "world", "learning", "logs", "motion", "perception"}},
-    {"synthetic", {"io", "geometry", "world", "logs", "motion"}},
+    {"synthetic", {"io", "geometry", "world", "logs", "motion", "scene", "control", "sensing"}},
     {"physics", {"geometry", "world"}},
     {"scene", {"geometry", "world", "motion"}},
     {"control", {"geometry", "world"}},
