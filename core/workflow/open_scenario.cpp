@@ -12,6 +12,7 @@
 #include "io/shell_quoted.h"
 #include "scenario/start_check.h"
 #include "scenario/variation.h"
+#include "validation/validation_file.h"
 #include "workflow/resources.h"
 
 namespace mrose {
@@ -94,6 +95,19 @@ private:
     std::map<std::string, Expected<std::optional<std::string>>> texts_;
 };
 
+/// Of a file that describes an experiment, or a validation, which is one.
+Expected<std::optional<OpenedExperiment>> experimentOf(const Value::File& file, DescriptionSource& source) {
+    if (isValidation(file->content)) {
+        auto validation = readValidation(file, source);
+        if (!validation) return tl::unexpected(validation.error());
+        return std::optional(OpenedExperiment{std::move(validation->experiment), std::move(validation->content)});
+    }
+    if (!isExperiment(file->content)) return std::optional<OpenedExperiment>();
+    auto experiment = readExperiment(file, source);
+    if (!experiment) return tl::unexpected(experiment.error());
+    return std::optional(OpenedExperiment{std::move(*experiment), file->content});
+}
+
 /// A trial of an experiment.
 Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioRequest& request,
                                    const PluginLoader& plugins, OpenedTrial& opened) {
@@ -109,7 +123,7 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
                                          (names.empty() ? "none, it has no variants" : names));
     }
     TrialExpressions expressions(experiment);
-    const std::uint32_t number = std::max(request.trial, 1u);
+    const std::uint32_t number = request.trial > 0 ? request.trial : experiment.firstTrial;
     auto trial = TrialMaker(experiment, expressions, {plugins}).make(number);
     if (!trial) return tl::unexpected(trial.error());
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
@@ -125,17 +139,18 @@ Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file
                                                          DescriptionSource& source) {
     constexpr std::string_view folders[] = {"resources/experiments", "resources/scenarios"};
     const auto found = DescriptionLibrary(source).file(file, folders);
-    if (!found || !isExperiment((*found)->content)) return std::optional<OpenedExperiment>();
-    auto experiment = readExperiment(*found, source);
-    if (!experiment) return tl::unexpected(experiment.error());
-    if (!overrides.empty()) {
-        auto value = overridden(std::move(experiment->scenario), overrides);
+    if (!found) return std::optional<OpenedExperiment>();
+    auto opened = experimentOf(*found, source);
+    if (!opened) return tl::unexpected(opened.error());
+    if (*opened && !overrides.empty()) {
+        Experiment& experiment = (*opened)->experiment;
+        auto value = overridden(std::move(experiment.scenario), overrides);
         if (!value) return tl::unexpected(value.error());
         auto loaded = loadScenario(*value, source, {.checkStarts = false});
         if (!loaded) return tl::unexpected(loaded.error());
-        experiment->scenario = std::move(loaded->value);
+        experiment.scenario = std::move(loaded->value);
     }
-    return std::optional(OpenedExperiment{std::move(*experiment), (*found)->content});
+    return opened;
 }
 
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {
