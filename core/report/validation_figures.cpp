@@ -28,6 +28,15 @@ PlotRange rangeOf(const std::vector<double>& values, bool withZero) {
     return {low - room, high + room};
 }
 
+/// Of the middle 98 of 100, lest a few draw all others together. What is beyond is put on the edge.
+PlotRange rangeOfMost(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t beyond = values.size() / 100;
+    return rangeOf(
+        {values.begin() + static_cast<std::ptrdiff_t>(beyond), values.end() - static_cast<std::ptrdiff_t>(beyond)},
+        true);
+}
+
 std::vector<double> gainsOf(const MeasureValidation& of, bool real) {
     std::vector<double> gains;
     for (const TrialValues& trial : of.trials) gains.push_back(factorOf(of.measure) * trial.gain(of.measure, real));
@@ -67,7 +76,7 @@ std::string pairedGainFigure(const Validation& validation, const MeasureValidati
     const std::vector<double> simulated = gainsOf(of, false), real = gainsOf(of, true);
     std::vector<double> all = simulated;
     all.insert(all.end(), real.begin(), real.end());
-    const PlotRange range = rangeOf(all, true);
+    const PlotRange range = rangeOfMost(all);
     SvgPlot plot({}, range, range, "Gain in the simulator and in the reality, by trial");
     plot.axes("gain in " + validation.simulation + unitOf(of.measure, true),
               "gain in " + validation.reality + unitOf(of.measure, true));
@@ -76,7 +85,11 @@ std::string pairedGainFigure(const Validation& validation, const MeasureValidati
     plot.line(same, "floorline");
     plot.line(none, "miss");
     plot.line(noneAcross, "miss");
-    for (std::size_t i = 0; i < real.size(); ++i) plot.circle({simulated[i], real[i]}, 2.5, "sample");
+    const auto within = [&](double gain) { return std::clamp(gain, range.low, range.high); };
+    for (std::size_t i = 0; i < real.size(); ++i) {
+        const Point at{within(simulated[i]), within(real[i])};
+        plot.circle(at, 2.5, at == Point{simulated[i], real[i]} ? "sample" : "realmark");
+    }
     return plot.text();
 }
 
@@ -84,7 +97,7 @@ std::string gainDistributionFigure(const Validation& validation, const MeasureVa
     std::vector<double> sorted[2] = {gainsOf(of, false), gainsOf(of, true)};
     std::vector<double> all = sorted[0];
     all.insert(all.end(), sorted[1].begin(), sorted[1].end());
-    const PlotRange range = rangeOf(all, true);
+    const PlotRange range = rangeOfMost(all);
     SvgPlot plot({}, range, {0, 100}, "Cumulative distribution of gains");
     plot.axes("gain of " + validation.after + unitOf(of.measure, true), "trials up to it (%)");
     const Point none[] = {{0, 0}, {0, 100}};

@@ -111,9 +111,11 @@ std::string figures(const Validation& validation, const ValidationResult& result
         if (of.trials.empty()) continue;
         const std::string cells =
             card(cat(escaped(of.measure.name), ": means with 95\u00a0% intervals"), cellFigure(validation, of));
-        const std::string second = of.measure.yesNo ? card("Gains, by trial", gainDistributionFigure(validation, of))
-                                                    : card("Gains, by trial: as large in both on the dashed line",
-                                                           pairedGainFigure(validation, of));
+        const std::string second =
+            of.measure.yesNo
+                ? card("Gains, by trial", gainDistributionFigure(validation, of))
+                : card("Gains, by trial: as large in both on the dashed line; orange ones lie beyond the edge",
+                       pairedGainFigure(validation, of));
         text += cardPair(cells, second);
         if (!of.measure.yesNo)
             text += cardPair(card("How gains are distributed", gainDistributionFigure(validation, of)), "");

@@ -306,6 +306,34 @@ TEST_F(ValidationTest, VariantOfTheExperimentHoldsInAllCells) {
     EXPECT_NEAR(validated(*validation).measures[0].cells[0].value, -0.8, 1e-9);
 }
 
+TEST_F(ValidationTest, SettingsFilesHoldAndSayWhichTrialsTheyUsed) {
+    texts_["t.toml"] =
+        "format = \"mrose settings\"\nversion = 1\n[set]\n\"robot[1].controller.commands[1].v_mps\" = 0.5\n"
+        "[evidence]\nexperiment = \"folder/x.toml\"\ntrials = 90\nheld_out_from = 91\nheld_out_to = 100\n";
+    const std::string set = "set = { \"robot[1].controller.commands[1].v_mps\" = 0.5 }";
+    const auto validation = read(replaced(text_, set, "settings = \"t.toml\""));
+    ASSERT_TRUE(validation) << validation.error().message();
+    EXPECT_TRUE(validation->notes.empty());
+    EXPECT_NEAR(validated(*validation).measures[0].survives.value, 0.8, 1e-9);
+    EXPECT_NEAR(validated(*validation).measures[0].cells[1].value, 2.0, 1e-9);
+    texts_["t.toml"] = replaced(texts_["t.toml"], "held_out_to = 100", "held_out_to = 101");
+    const auto overlapping = read(replaced(text_, set, "settings = \"t.toml\""));
+    ASSERT_FALSE(overlapping);
+    EXPECT_EQ(overlapping.error().message(),
+              "v.toml:5:10: trials: are 101 to 120; \"fast\" used 91 to 101; expected others, by `first_trial`");
+    texts_["t.toml"] = replaced(texts_["t.toml"], "folder/x.toml", "other.toml");
+    EXPECT_TRUE(read(replaced(text_, set, "settings = \"t.toml\""))) << "trials of another experiment";
+    texts_["t.toml"] = texts_["t.toml"].substr(0, texts_["t.toml"].find("[evidence]"));
+    const auto silent = read(replaced(text_, set, "settings = \"t.toml\""));
+    ASSERT_TRUE(silent) << silent.error().message();
+    ASSERT_EQ(silent->notes.size(), 1u);
+    EXPECT_THAT(silent->notes[0], HasSubstr("\"fast\""));
+    texts_["t.toml"] = replaced(texts_["t.toml"], "v_mps", "speed");
+    const auto wrong = read(replaced(text_, set, "settings = \"t.toml\""));
+    ASSERT_FALSE(wrong);
+    EXPECT_THAT(wrong.error().message(), HasSubstr("t.toml:4:"));
+}
+
 TEST_F(ValidationTest, EveryMistakeNamesItsPlace) {
     const std::tuple<const char*, const char*, const char*> cases[] = {
         {"name = \"faster\"\n", "", "v.toml:1:1: name: is missing"},
@@ -344,11 +372,6 @@ TEST_F(ValidationTest, EveryMistakeNamesItsPlace) {
     };
     for (const auto& [from, to, message] : cases) EXPECT_THAT(refusal(from, to), HasSubstr(message)) << to;
     EXPECT_EQ(refusal("name = \"fast\"\n", "name = \"fast\"\nused_trials = [[1, 100]]\n"), "");
-    texts_["t.toml"] =
-        "format = \"mrose settings\"\nversion = 1\n[set]\n\"robot[1].controller.commands[1].v_mps\" = 0.5\n"
-        "[evidence]\nexperiment = \"folder/x.toml\"\ntrials = 90\nheld_out_from = 91\nheld_out_to = 101\n";
-    EXPECT_EQ(refusal("name = \"fast\"\n", "name = \"fast\"\nsettings = \"t.toml\"\n"),
-              "v.toml:5:10: trials: are 101 to 120; \"fast\" used 91 to 101; expected others, by `first_trial`");
     texts_["real.csv"] = "trial,when,way_m,far\n5,before,1,1\n5,after,1,1\n";
     const std::string reality = "set = { \"robot[1].type.kinematics.v\" = { gain = 0.8 } }";
     EXPECT_EQ(refusal(reality, "results = \"real.csv\""),
