@@ -47,6 +47,7 @@ Subcommand addBatch(CLI::App& app, CommonFlags& flags);
 Subcommand addExperiment(CLI::App& app, CommonFlags& flags);
 Subcommand addLearn(CLI::App& app, CommonFlags& flags);
 Subcommand addTune(CLI::App& app, CommonFlags& flags);
+Subcommand addValidate(CLI::App& app, CommonFlags& flags);
 Subcommand addCompare(CLI::App& app, CommonFlags& flags);
 
 /// A subcommand with --quiet, --json and, below its options, examples.

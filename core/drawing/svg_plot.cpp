@@ -33,13 +33,20 @@ Point SvgPlot::pixel(const Point& at) const {
 }
 
 void SvgPlot::axes(std::string_view xTitle, std::string_view yTitle) {
-    const Point corner = pixel({x_.low, y_.low});
     const AxisTicks xTicks = axisTicks(x_, static_cast<int>(innerWidth() / 70));
     for (const double value : xTicks.values) {
         const Point foot = pixel({value, y_.low});
         grid_.moveTo(foot).lineTo(pixel({value, y_.high}));
         around_ += svgText(foot + Point{0, 17}, fixed(value, xTicks.decimals), classed("tick middle"));
     }
+    uprightAxis(yTitle);
+    const Point foot = pixel({x_.low, y_.low});
+    if (!xTitle.empty())
+        around_ += svgText({foot.x + innerWidth() / 2, layout_.height - 8}, xTitle, classed("title middle"));
+}
+
+void SvgPlot::uprightAxis(std::string_view title) {
+    const Point corner = pixel({x_.low, y_.low});
     const AxisTicks yTicks = axisTicks(y_, std::max(2, static_cast<int>(innerHeight() / 42)));
     for (const double value : yTicks.values) {
         const Point foot = pixel({x_.low, value});
@@ -48,11 +55,8 @@ void SvgPlot::axes(std::string_view xTitle, std::string_view yTitle) {
     }
     const Point ends[] = {pixel({x_.low, y_.high}), corner, pixel({x_.high, y_.low})};
     around_ += svgPath(SvgPath(ends), classed("axis"));
-    if (!xTitle.empty())
-        around_ += svgText({corner.x + innerWidth() / 2, layout_.height - 8}, xTitle, classed("title middle"));
     const Point left{14, corner.y - innerHeight() / 2};
-    around_ +=
-        svgText(left, yTitle, {{"class", "title middle"}, {"transform", cat("rotate(-90 14 ", px(left.y), ")")}});
+    around_ += svgText(left, title, {{"class", "title middle"}, {"transform", cat("rotate(-90 14 ", px(left.y), ")")}});
 }
 
 void SvgPlot::grid(double step) {

@@ -26,7 +26,7 @@ public:
 
     Expected<ExperimentSummary> runAll() {
         std::vector<std::uint32_t> missing;
-        for (std::uint32_t trial = 1; trial <= experiment_.trials; ++trial)
+        for (std::uint32_t trial = experiment_.firstTrial; trial - experiment_.firstTrial < experiment_.trials; ++trial)
             if (isMissing(trial)) missing.push_back(trial);
         done_ = static_cast<std::int64_t>(file_.rows().size());
         ExperimentSummary summary{.runs = runs_, .resumed = done_};
@@ -115,8 +115,8 @@ private:
 
 /// Whether a run is one of those that an experiment asks for.
 bool isAsked(const RunKey& key, const Experiment& experiment) {
-    return key.trial >= 1 && key.trial <= experiment.trials && key.seed >= experiment.seed &&
-           key.seed - experiment.seed < experiment.seeds && key.variant >= 1 &&
+    return key.trial >= experiment.firstTrial && key.trial - experiment.firstTrial < experiment.trials &&
+           key.seed >= experiment.seed && key.seed - experiment.seed < experiment.seeds && key.variant >= 1 &&
            key.variant <= experiment.variants.size();
 }
 

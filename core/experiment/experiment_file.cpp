@@ -68,6 +68,7 @@ private:
 
     void readRuns() {
         experiment_.trials = static_cast<std::uint32_t>(root_.integer("trials", 1, mostTrials));
+        experiment_.firstTrial = static_cast<std::uint32_t>(root_.integerOr("first_trial", 1, 1, mostTrials));
         experiment_.seed = static_cast<std::uint64_t>(root_.integerOr("seed", 1, 0, std::int64_t{1} << 52));
         experiment_.seeds = static_cast<std::uint32_t>(root_.integerOr("seeds", 1, 1, mostSeeds));
         const Nanoseconds duration = durationOr(root_, "duration_s", duration_, {0.001, 1e6});
@@ -171,7 +172,11 @@ private:
     /// What a value is when it stands somewhere in the scenario: with the files that it names. Rejects what does not
     /// fit.
     Value resolved(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
-        auto changed = experiment_.scenario.with(path, value);
+        return resolvedIn(experiment_.scenario, table, key, path, value);
+    }
+    Value resolvedIn(const ScenarioValue& scenario, TomlTable& table, std::string_view key, const std::string& path,
+                     const Value& value) {
+        auto changed = scenario.with(path, value);
         if (!changed) return table.reject(key, path + ": " + changed.error().cause), value;
         const auto loaded = loadScenario(*changed, library_, loading_);
         if (!loaded) {
@@ -244,11 +249,16 @@ private:
         if (table.has("settings")) readSettingsOf(table, variant);
         TomlTable sets = table.tableOrEmpty("set");
         const Value* const named = table.has("set") ? table.value("set") : nullptr;
+        ScenarioValue varied = experiment_.scenario;  // one may be within what another has set
+        for (const auto& [path, value] : variant.set)
+            if (auto with = varied.with(path, value)) varied = std::move(*with);
         if (named != nullptr && named->asTable() != nullptr)
             for (const auto& [path, value] : *named->asTable()) {
                 sets.value(path);
                 checkFree(sets, path);
-                variant.set.emplace_back(path, root_.failed() ? value : resolved(sets, path, path, value));
+                if (root_.failed()) break;
+                Value& set = variant.set.emplace_back(path, resolvedIn(varied, sets, path, path, value)).second;
+                if (auto with = varied.with(path, set)) varied = std::move(*with);
             }
         table.rejectUnknown();
         experiment_.variants.push_back(std::move(variant));

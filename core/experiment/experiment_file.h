@@ -79,7 +79,7 @@ struct Variant {
 struct Experiment {
     std::string file, name;
     ScenarioValue scenario;  ///< with all that it and the draws' choices name
-    std::uint32_t trials = 0;
+    std::uint32_t firstTrial = 1, trials = 0;
     std::uint64_t seed = 0;   ///< of the draws, and of the first run of each trial
     std::uint32_t seeds = 1;  ///< runs of each trial, with one seed after the other
     Nanoseconds every = 0;    ///< how often a trial is looked at; a tick where it is 0

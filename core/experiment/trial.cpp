@@ -169,7 +169,7 @@ Error TrialMaker::told(Error error, const ScenarioValue& of, std::uint32_t numbe
 
 Expected<void> TrialMaker::check() {
     constexpr std::size_t mostSets = 256;
-    const auto trial = make(1);
+    const auto trial = make(experiment_.firstTrial);
     if (!trial) return tl::unexpected(trial.error());
     std::vector<DrawnValues> sets{trial->drawn};
     for (std::size_t i = 0; i < experiment_.draws.size(); ++i) {
@@ -189,7 +189,7 @@ Expected<void> TrialMaker::check() {
         const auto value = drawnScenario(drawn);
         if (!value) return tl::unexpected(value.error());
         auto loaded = loadScenario(*value, library_, loading_);
-        if (!loaded) return tl::unexpected(told(loaded.error(), *value, 1));
+        if (!loaded) return tl::unexpected(told(loaded.error(), *value, experiment_.firstTrial));
         const Scenario scenario(std::move(loaded->parts));
         const WorldState start = scenario.initialState();
         const std::vector<RobotInsight> none(start.robots.size());

@@ -1,5 +1,7 @@
 #include "report/program_json.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "identification/held_out_part.h"
@@ -222,6 +224,42 @@ std::string experimentJson(const ExperimentSummary& summary, const std::string& 
         json["variants"].push_back(std::move(one));
     }
     if (summary.complete) json["results"] = folder + "/results.csv";
+    return json.dump(2);
+}
+
+std::string validationJson(const Validation& validation, const ValidationResult& result, const std::string& folder) {
+    const auto number = [](double value) { return std::isfinite(value) ? Printed(value) : Printed(nullptr); };
+    const auto estimate = [&](const Estimate& of) {
+        return Printed{{"value", number(of.value)}, {"low", number(of.low)}, {"high", number(of.high)}};
+    };
+    Printed json{{"validation", validation.name}, {"synthetic_reality", !validation.real.has_value()}};
+    for (const CellRuns& cell : result.cells)
+        json["cells"].push_back({{"name", cell.name},
+                                 {"measured", cell.measured},
+                                 {"runs", cell.runs},
+                                 {"unfinished", cell.unfinished},
+                                 {"ended_by_fault", cell.faulty},
+                                 {"simulated_h", cell.hours}});
+    for (const MeasureValidation& of : result.measures) {
+        Printed one{{"name", of.measure.name},
+                    {"better", of.measure.lessIsBetter ? "less" : "more"},
+                    {"yes_no", of.measure.yesNo},
+                    {"trials", of.trials.size()},
+                    {"left_out", of.leftOut}};
+        for (const Estimate& cell : of.cells) one["cells"].push_back(estimate(cell));
+        one["gain_in_simulation"] = estimate(of.gain[0]);
+        one["gain_in_reality"] = estimate(of.gain[1]);
+        one["survives"] = estimate(of.survives);
+        one["worse_in_reality_before"] = estimate(of.worse[0]);
+        one["worse_in_reality_after"] = estimate(of.worse[1]);
+        json["measures"].push_back(std::move(one));
+    }
+    const AccountResult& account = result.account;
+    json["account"] = {{"log_min", account.logMinutes ? Printed(*account.logMinutes) : Printed(nullptr)},
+                       {"simulated_h", account.simulatedHours},
+                       {"spared_h", account.sparedHours()}};
+    json["page"] = folder + "/report.html";
+    json["results"] = folder + "/results.csv";
     return json.dump(2);
 }
 

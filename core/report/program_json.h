@@ -12,6 +12,7 @@
 #include "recording/recording.h"
 #include "recording/replay.h"
 #include "tasks/task_judgement.h"
+#include "validation/validation_results.h"
 
 namespace mrose {
 
@@ -37,6 +38,9 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
 std::string batchJson(const BatchSummary& summary, const std::string& folder);
 
 std::string experimentJson(const ExperimentSummary& summary, const std::string& folder);
+
+/// `folder`: of results.csv and the page.
+std::string validationJson(const Validation& validation, const ValidationResult& result, const std::string& folder);
 
 /// `file`: the network's.
 std::string learnedTaskJson(const TaskData& data, const TaskJudgement& judgement, const std::string& file);

@@ -100,14 +100,15 @@ private:
         if (typeid(before) == typeid(after) && memory.size() == own.size()) std::ranges::copy(memory, own.begin());
     }
 
-    /// What sensors of the same name and memory remember.
+    /// What sensors of the same class, name and memory remember.
     void carrySensors(std::size_t robot, std::size_t origin) {
         const auto before = from_.sensors(origin), after = to_.sensors(robot);
         for (std::size_t i = 0; i < after.size(); ++i)
             for (std::size_t k = 0; k < before.size(); ++k) {
                 const std::span<std::byte> own = to_.sensorMemory(next_, robot, i);
                 const std::span<const std::byte> old = from_.sensorMemory(old_, origin, k);
-                if (after[i]->name() == before[k]->name() && own.size() == old.size())
+                const Sensor &was = *before[k], &becomes = *after[i];
+                if (typeid(was) == typeid(becomes) && becomes.name() == was.name() && own.size() == old.size())
                     std::ranges::copy(old, own.begin());
             }
     }

@@ -43,6 +43,8 @@ Expected<Description> loadDescription(const std::string& name, DescriptionSource
             return fail(shown, "describes a tuning, which mrose tune runs; expected another description");
         case DescriptionKind::settings:
             return fail(shown, "holds settings, for --settings; expected another description");
+        case DescriptionKind::validation:
+            return fail(shown, "describes a validation, which mrose validate runs; expected another description");
         case DescriptionKind::scenario:
             break;
     }

@@ -6,6 +6,7 @@
 #include "scenario/saved_state.h"
 #include "sensing/sensor_kinds.h"
 #include "sensing/sensor_view.h"
+#include "synthetic/reference_perception.h"
 
 namespace mrose {
 namespace {
@@ -36,7 +37,9 @@ Scenario::Scenario(ScenarioParts parts)
 void Scenario::layOutSensors() {
     for (const RobotType& type : scene().robotTypes) {
         Sensors& sensors = sensors_.emplace_back();
-        sensors.all = standardSensors(type.perception);
+        const bool reference = type.perception.model == Perception::Model::reference;
+        sensors.all =
+            reference ? referenceSensors(type.perception, scene().environment) : standardSensors(type.perception);
         sensors.all.insert(sensors.all.end(), type.sensors.begin(), type.sensors.end());
         assert(sensors.all.size() <= SensorView::mostSensors);
         for (const auto& sensor : sensors.all) {

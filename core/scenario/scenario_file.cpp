@@ -11,6 +11,7 @@
 #include "scenario/start_check.h"
 #include "scenario/state_validation.h"
 #include "scenario/value_file.h"
+#include "synthetic/reference_ball.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
@@ -237,6 +238,10 @@ ObjectType ScenarioReader::objectType(TomlTable& table) {
     type.mass = table.number("mass_kg", {0.001, 1e5});
     type.surface = surfaceOr(table, "surface", type.surface);
     if (type.rolls) type.inertia = table.numberOr("inertia", type.inertia, {0.01, 1});
+    if (table.has("motion") && table.choice("motion", {"floor", "reference"}) == 1) {
+        if (!type.rolls) table.reject("motion", "of a box can only be \"floor\": the reference ball is no box");
+        type.motion = referenceBall();
+    }
     if (!type.shape || !type.rolls) return type;
     type.name = type.shape->name;
     const bool round =

@@ -37,6 +37,14 @@ struct BodySight {
 };
 
 struct Perception {
+    /// What class of errors a robot's own pose and the bodies that it sees have.
+    enum class Model {
+        noise,     ///< normal and autoregressive, as the numbers here say
+        reference  ///< the reference cameras' (synthetic/), of which the numbers here say only where they look, and how
+                   ///< late
+    };
+    Model model = Model::noise;
+    double errorScale = 1;  ///< of the reference model: how large its errors are, but for gross ones
     SelfLocalisation self;
     BodySight objects;  ///< the ball and other objects
     BodySight robots;

@@ -39,6 +39,8 @@ private:
     ReadingName robotsReading_, objectsReading_;
 };
 
+/// Of these keys the ones that say where it looks, how late, and whether anything hides bodies.
+BodySight readSightField(TomlTable& table);
 /// Its keys, [perception.robots] and [perception.objects] of a robot file; whoever reads them rejects unknown ones.
 BodySight readBodySight(TomlTable& table);
 

@@ -16,18 +16,32 @@
 #include "sensing/wheel_encoders.h"
 
 namespace mrose {
+namespace {
+
+/// Of the reference model, which has errors of its own.
+SelfLocalisation readReferenceSelf(TomlTable& table) {
+    SelfLocalisation self;
+    self.latency = durationOr(table, "latency_s", 100'000'000, latencies);
+    return self;
+}
+
+}  // namespace
 
 Perception readPerception(TomlTable table) {
     Perception perception;
+    if (table.has("model") && table.choice("model", {"noise", "reference"}) == 1)
+        perception.model = Perception::Model::reference;
+    const bool reference = perception.model == Perception::Model::reference;
+    if (reference) perception.errorScale = table.numberOr("error_scale", perception.errorScale, {0, 10});
     const auto read = [&](const char* key, auto reader) {
         TomlTable part = table.tableOrEmpty(key);
         auto options = reader(part);
         part.rejectUnknown();
         return options;
     };
-    perception.self = read("self", readSelfLocalisation);
-    perception.objects = read("objects", readBodySight);
-    perception.robots = read("robots", readBodySight);
+    perception.self = read("self", reference ? readReferenceSelf : readSelfLocalisation);
+    perception.objects = read("objects", reference ? readSightField : readBodySight);
+    perception.robots = read("robots", reference ? readSightField : readBodySight);
     perception.velocityNoise = table.numberOr("velocity_noise_mps", 0, metresOff);
     perception.rotationNoise = angleOr(table, "rotation_noise_degps", 0, degreesOff);
     table.rejectUnknown();

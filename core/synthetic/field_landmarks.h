@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "geometry/point.h"
+#include "geometry/pose.h"
 #include "logs/measurements.h"
 
 namespace mrose {

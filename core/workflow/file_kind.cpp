@@ -66,7 +66,7 @@ Expected<FileKind> fileKind(const std::string& path) {
     if (!isText(*bytes)) return fail(path, notThis("is no description, recording or network of mrose"));
     const std::string format = formatOf(*bytes);
     if (format == "mrose scenario" || format == "mrose scenario value" || format == "mrose state" ||
-        format == "mrose experiment")
+        format == "mrose experiment" || format == "mrose validation")
         return FileKind::scenario;
     if (format == "mrose network" || format == "mrose motion network") return FileKind::network;
     if (format == "mrose shape" || format == "mrose environment" || format == "mrose robot")

@@ -13,6 +13,7 @@
 #include "scenario/settings_file.h"
 #include "scenario/start_check.h"
 #include "scenario/variation.h"
+#include "validation/validation_file.h"
 #include "workflow/resources.h"
 
 namespace mrose {
@@ -116,6 +117,19 @@ private:
     std::map<std::string, Expected<std::optional<std::string>>> texts_;
 };
 
+/// Of a file that describes an experiment, or a validation, which is one.
+Expected<std::optional<OpenedExperiment>> experimentOf(const Value::File& file, DescriptionSource& source) {
+    if (isValidation(file->content)) {
+        auto validation = readValidation(file, source);
+        if (!validation) return tl::unexpected(validation.error());
+        return std::optional(OpenedExperiment{std::move(validation->experiment), std::move(validation->content)});
+    }
+    if (!isExperiment(file->content)) return std::optional<OpenedExperiment>();
+    auto experiment = readExperiment(file, source);
+    if (!experiment) return tl::unexpected(experiment.error());
+    return std::optional(OpenedExperiment{std::move(*experiment), file->content});
+}
+
 /// A trial of an experiment.
 Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioRequest& request,
                                    const PluginLoader& plugins, OpenedTrial& opened) {
@@ -131,7 +145,7 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
                                          (names.empty() ? "none, it has no variants" : names));
     }
     TrialExpressions expressions(experiment);
-    const std::uint32_t number = std::max(request.trial, 1u);
+    const std::uint32_t number = request.trial > 0 ? request.trial : experiment.firstTrial;
     auto trial = TrialMaker(experiment, expressions, {plugins}).make(number);
     if (!trial) return tl::unexpected(trial.error());
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
@@ -148,19 +162,20 @@ Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file
                                                          const std::vector<std::string>& settings) {
     constexpr std::string_view folders[] = {"resources/experiments", "resources/scenarios"};
     const auto found = DescriptionLibrary(source).file(file, folders);
-    if (!found || !isExperiment((*found)->content)) return std::optional<OpenedExperiment>();
-    auto experiment = readExperiment(*found, source);
-    if (!experiment) return tl::unexpected(experiment.error());
-    if (!overrides.empty() || !settings.empty()) {
-        auto set = withSettings(std::move(experiment->scenario), settings, source);
+    if (!found) return std::optional<OpenedExperiment>();
+    auto opened = experimentOf(*found, source);
+    if (!opened) return tl::unexpected(opened.error());
+    if (*opened && (!overrides.empty() || !settings.empty())) {
+        Experiment& experiment = (*opened)->experiment;
+        auto set = withSettings(std::move(experiment.scenario), settings, source);
         if (!set) return tl::unexpected(set.error());
         auto value = overridden(std::move(*set), overrides);
         if (!value) return tl::unexpected(value.error());
         auto loaded = loadScenario(*value, source, {.checkStarts = false});
         if (!loaded) return tl::unexpected(loaded.error());
-        experiment->scenario = std::move(loaded->value);
+        experiment.scenario = std::move(loaded->value);
     }
-    return std::optional(OpenedExperiment{std::move(*experiment), (*found)->content});
+    return opened;
 }
 
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {

@@ -50,7 +50,7 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request);
 /// The same of descriptions from elsewhere than the disk, instead of `request.log` too.
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& source);
 
-/// An experiment, with what is overridden in its scenario.
+/// An experiment, with what is overridden in its scenario; a validation is one, too.
 struct OpenedExperiment {
     Experiment experiment;
     Value content;  ///< of its file

@@ -33,12 +33,13 @@ std::string pluginFlags(const PluginUse& plugins) {
     return flags;
 }
 
-/// What all rows depend on. How many trials and seeds there are is no part of it: more of them may be added.
+/// What all rows depend on. Which trials and how many seeds there are is no part of it: more of them may be added.
 BatchIdentity identityOf(const Value& content, const Experiment& experiment, const ExperimentRequest& request) {
     BatchIdentity identity{{"mrose", std::string(MROSE_VERSION) + ' ' + thisOrigin().commit}};
     for (const std::string& assignment : request.overrides) identity["--set " + assignment] = "given";
     const std::string of(contentOf);
-    identity[of + "the experiment"] = hexadecimal(hashOf(content.without("trials").without("seeds")));
+    identity[of + "the experiment"] =
+        hexadecimal(hashOf(content.without("first_trial").without("trials").without("seeds")));
     for (const Value::File& file : experiment.scenario.files())
         identity[of + file->name] = hexadecimal(hashOf(file->content));
     for (const Value::File& file : experiment.settings) identity[of + file->name] = hexadecimal(hashOf(file->content));
@@ -76,7 +77,7 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
     options.loaded = request.plugins.loaded;
     {
         TrialExpressions expressions(experiment);
-        if (const auto first = TrialMaker(experiment, expressions, options.loading).make(1); !first)
+        if (const auto first = TrialMaker(experiment, expressions, options.loading).make(experiment.firstTrial); !first)
             return tl::unexpected(first.error());
     }
     options.command = repeated("mrose run", request) + pluginFlags(request.plugins);

@@ -165,6 +165,44 @@ TEST(RobotFile, WhatTheReferenceRobotIsNotNamesItsPlace) {
               "learned.toml:6:20: control_period_s: expected a multiple of the reference robot's step of 0.002 s");
 }
 
+/// The perception of a robot whose [perception] is this.
+Expected<RobotDescription> perceivingBy(const std::string& perception) {
+    auto texts = smallWorld();
+    texts["learned.toml"] += perception;
+    return load(texts, "learned.toml");
+}
+
+TEST(RobotFile, MayPerceiveByTheReferenceCameras) {
+    const auto robot = perceivingBy(
+        "[perception]\nmodel = \"reference\"\nerror_scale = 0.5\n[perception.objects]\nfield_of_view_deg = 90\n"
+        "latency_s = 0.06\nocclusion = true\n");
+    ASSERT_TRUE(robot) << robot.error().message();
+    const Perception& seen = robot->type.perception;
+    EXPECT_EQ(seen.model, Perception::Model::reference);
+    EXPECT_EQ(seen.errorScale, 0.5);
+    EXPECT_EQ(seen.self.latency, 100'000'000) << "the localiser's own";
+    EXPECT_EQ(seen.objects.latency, 60'000'000);
+    EXPECT_TRUE(seen.objects.occlusion);
+    EXPECT_EQ(perceivingBy("[perception]\nmodel = \"noise\"\n")->type.perception, Perception{});
+}
+
+TEST(RobotFile, WhatTheReferenceCamerasAreNotNamesItsPlace) {
+    const auto refused = [](const std::string& perception) {
+        const auto robot = perceivingBy("[perception]\n" + perception);
+        return robot ? "" : robot.error().message();
+    };
+    EXPECT_EQ(refused("model = \"real\"\n"),
+              "learned.toml:9:9: perception.model: is \"real\"; expected one of \"noise\", \"reference\"");
+    EXPECT_EQ(refused("model = \"reference\"\nerror_scale = -1\n"),
+              "learned.toml:10:15: perception.error_scale: is -1.0; expected 0.0 to 10.0");
+    EXPECT_EQ(refused("error_scale = 1\n").substr(0, 63),
+              "learned.toml:9:15: perception.error_scale: is not a known key; ");
+    EXPECT_EQ(refused("model = \"reference\"\n[perception.self]\nnoise = { x_m = 0.1 }\n"),
+              "learned.toml:11:9: perception.self.noise: is not a known key; expected one of latency_s");
+    EXPECT_EQ(refused("model = \"reference\"\n[perception.objects]\ndrop_out = 0.1\n").substr(0, 68),
+              "learned.toml:11:12: perception.objects.drop_out: is not a known key; ");
+}
+
 TEST(RobotFile, NetworkMustBeThereAndFit) {
     EXPECT_EQ(motionRefusal("", "control_period_s = 0.05\n"),
               "learned.toml:6:20: control_period_s: is 0.05; the network was learned for 0.1");

@@ -122,6 +122,14 @@ TEST(ShippedFiles, RobotsWeighAndDriveAsTheyShould) {
     EXPECT_EQ(synthetic.deadTime, 0.315);
     const auto pioneer = loaded<RobotDescription>("resources/robots/pioneer1.toml");
     EXPECT_EQ(synthetic.type.perception, pioneer.type.perception);
+    const auto reality = loaded<RobotDescription>("resources/robots/reality.toml");
+    EXPECT_TRUE(dynamic_cast<const ReferenceModel*>(reality.model.get()));
+    EXPECT_NE(reality.type.name.find("synthetic"), std::string::npos);
+    EXPECT_EQ(reality.type.perception.model, Perception::Model::reference);
+    EXPECT_EQ(reality.type.shape->name, pioneer.type.shape->name);
+    ASSERT_EQ(reality.type.manipulators.size(), 1u);
+    EXPECT_EQ(reality.type.manipulators[0].position, pioneer.type.manipulators[0].position);
+    EXPECT_EQ(reality.type.perception.objects.fieldOfView, pioneer.type.perception.objects.fieldOfView);
     ASSERT_TRUE(pioneer.motion);
     EXPECT_EQ(pioneer.type.mass, 7.5);
     EXPECT_TRUE(pioneer.motion->network().synthetic);

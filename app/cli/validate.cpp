@@ -1,0 +1,93 @@
+#include <cstdio>
+
+#include "experiment/batch.h"
+#include "plugin_watch.h"
+#include "plugins.h"
+#include "report/program_json.h"
+#include "report/validation_text.h"
+#include "run_count.h"
+#include "workflow/validate_behaviour.h"
+
+namespace mrose::cli {
+namespace {
+
+std::string estimateText(const MeasureValidation& of, const Estimate& estimate, bool difference) {
+    return (difference ? differenceText(of.measure, estimate.value) : measuredText(of.measure, estimate.value)) + " (" +
+           intervalText(of.measure, estimate) + ')';
+}
+
+void print(const Validation& validation, const ValidationResult& result) {
+    for (const MeasureValidation& of : result.measures) {
+        TextTable cells({of.measure.name, validation.before, validation.after, "gain"});
+        for (const bool real : {false, true}) {
+            const std::size_t first = ValidationCell{false, real}.place();
+            cells.add({real ? validation.reality : validation.simulation, estimateText(of, of.cells[first], false),
+                       estimateText(of, of.cells[first + 1], false), estimateText(of, of.gain[real ? 1 : 0], true)});
+        }
+        std::fputs(cells.text().c_str(), stdout);
+        std::printf("of the gain survives %s; %zu trials", survivesText(of).c_str(), of.trials.size());
+        if (of.leftOut > 0) std::printf(", %zu left out, without a number in every cell", of.leftOut);
+        std::printf("\nin %s worse by: %s %s, %s %s\n\n", validation.reality.c_str(), validation.before.c_str(),
+                    estimateText(of, of.worse[0], true).c_str(), validation.after.c_str(),
+                    estimateText(of, of.worse[1], true).c_str());
+    }
+    const AccountResult& account = result.account;
+    std::printf("simulated %.2f h", account.simulatedHours);
+    if (account.logMinutes) std::printf("; learned from %.1f min of logs", *account.logMinutes);
+    std::printf("; %.1f hours of real robots spared\n", account.sparedHours());
+}
+
+int runIt(ValidateRequest request, const CommonFlags& common) {
+    std::optional<RunCount> progress;
+    ExperimentWatch watch;
+    watch.opened = [&](const Experiment&) {
+        watchInterrupts();
+        progress.emplace(common.quiet);
+    };
+    watch.runBegins = sayPluginsRun;
+    watch.progress = [&](std::int64_t done, std::int64_t all) { progress->show(done, all); };
+    watch.goesOn = [] { return !wasInterrupted(); };
+    request.seconds = [&] { return progress ? progress->seconds() : 0; };
+    const auto validated = validateBehaviour(request, watch);
+    if (progress) progress->clear();
+    if (!validated) return report(validated.error());
+    const ExperimentSummary& summary = validated->summary;
+    reportNotes(validated->validation.notes);
+    if (common.json) {
+        std::puts(validated->result ? validationJson(validated->validation, *validated->result, request.folder).c_str()
+                                    : experimentJson(summary, request.folder).c_str());
+    } else {
+        if (validated->result) print(validated->validation, *validated->result);
+        printEnd({summary.runs, summary.done, summary.resumed, summary.complete}, progress->seconds(), request.folder);
+        if (summary.complete)
+            std::printf("%s/report.html; mrose-gui %s/disagreements.csv opens where they disagree most\n",
+                        request.folder.c_str(), request.folder.c_str());
+    }
+    return summary.complete ? success : interruptedStatus();
+}
+
+}  // namespace
+
+Subcommand addValidate(CLI::App& app, CommonFlags& common) {
+    auto request = std::make_shared<ValidateRequest>();
+    request->commandLine = commandLine();
+    CLI::App* sub = addSubcommand(
+        app, common, "validate", "Run controllers before and after they learned, in the simulator and in a reality",
+        "  mrose validate faster_turns.toml -o validated\n"
+        "The reality is one that nothing was learned in: the reference robot, ball and cameras (synthetic), or what\n"
+        "was measured. Gains are paired by trial; a page says what of them survives, and where simulator and\n"
+        "reality disagree most (resources/experiments/README.md). Killed, the same command goes on where it was.");
+    addThreads(*sub, common);
+    sub->add_option("VALIDATION", request->file, "Validation file, or the name of one that ships")
+        ->required()
+        ->check(someName());
+    sub->add_option("--trials", request->trials, "How many, at most as many as the file says")
+        ->check(CLI::Range(std::int64_t{1}, mostRuns));
+    addPluginFlags(*sub, request->plugins);
+    sub->add_option("-o,--output", request->folder, "The folder for results.csv and the page")
+        ->required()
+        ->check(someName());
+    return {sub, [request, &common] { return runIt(*request, common); }};
+}
+
+}  // namespace mrose::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "validation/validation_results.h"
+
+namespace mrose {
+
+// Numbers of a validation for people, on pages and in the terminal. Signs are those of `minus`: "-" or "\u2212".
+
+/// "12.3 s", of yes and no "93.1 %".
+std::string measuredText(const ValidatedMeasure& measure, double value, const std::string& minus = "-");
+/// Of a difference, with its sign: "+1.20 s", of yes and no "-3.4 points".
+std::string differenceText(const ValidatedMeasure& measure, double value, const std::string& minus = "-");
+/// "1.10 to 1.30", without the unit; "not known" where it has none.
+std::string intervalText(const ValidatedMeasure& measure, const Estimate& estimate, const std::string& minus = "-");
+/// "87 % (80 to 95)", or why it is not known.
+std::string survivesText(const MeasureValidation& of, const std::string& minus = "-");
+
+}  // namespace mrose

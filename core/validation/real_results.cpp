@@ -1,0 +1,96 @@
+#include "validation/real_results.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "experiment/results_row.h"
+
+namespace mrose {
+namespace {
+
+constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
+
+template <class Number>
+bool parsed(const std::string& cell, Number& number) {
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    return error == std::errc() && end == cell.data() + cell.size();
+}
+
+/// Sums of what was measured of one trial.
+struct RealSums {
+    std::vector<double> sum, count;
+
+    void add(std::size_t measure, std::size_t measures, double value) {
+        sum.resize(measures), count.resize(measures);
+        if (!std::isfinite(value)) return;
+        sum[measure] += value, count[measure] += 1;
+    }
+    std::vector<double> means() const {
+        std::vector<double> means;
+        for (std::size_t i = 0; i < sum.size(); ++i) means.push_back(count[i] > 0 ? sum[i] / count[i] : notKnown);
+        return means;
+    }
+};
+
+}  // namespace
+
+Expected<RealResults> readRealResults(std::string_view text, const std::string& file,
+                                      const std::vector<std::string>& measures) {
+    std::map<std::uint32_t, std::array<RealSums, 2>> sums;
+    std::vector<std::string> header;
+    std::vector<std::size_t> columns;  // of trial, when and the measures
+    int line = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view one = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        ++line;
+        if (!one.empty() && one.back() == '\r') one.remove_suffix(1);
+        if (one.empty()) continue;
+        const std::vector<std::string> cells = resultsCells(one);
+        if (header.empty()) {
+            header = cells;
+            std::vector<std::string> wanted{"trial", "when"};
+            wanted.insert(wanted.end(), measures.begin(), measures.end());
+            for (const std::string& name : wanted) {
+                const auto found = std::ranges::find(header, name);
+                if (found == header.end())
+                    return fail(file, "has no column \"" + name + "\"; expected trial, when and the measures", line);
+                columns.push_back(static_cast<std::size_t>(found - header.begin()));
+            }
+            continue;
+        }
+        if (cells.size() != header.size())
+            return fail(file,
+                        "has " + std::to_string(cells.size()) + " cells; expected " + std::to_string(header.size()),
+                        line);
+        std::uint32_t trial = 0;
+        if (!parsed(cells[columns[0]], trial) || trial == 0)
+            return fail(file, "\"" + cells[columns[0]] + "\" is no trial; expected a whole number from 1 on", line,
+                        "trial");
+        const std::string& when = cells[columns[1]];
+        if (when != "before" && when != "after")
+            return fail(file, "is \"" + when + "\"; expected before or after", line, "when");
+        for (std::size_t i = 0; i < measures.size(); ++i) {
+            const std::string& cell = cells[columns[i + 2]];
+            double value = notKnown;
+            if (!cell.empty() && !parsed(cell, value))
+                return fail(file, "\"" + cell + "\" is no number", line, measures[i]);
+            sums[trial][when == "after" ? 1 : 0].add(i, measures.size(), value);
+        }
+    }
+    if (sums.empty()) return fail(file, "holds no results; expected rows of trial, when and the measures");
+    RealResults results;
+    for (const auto& [trial, both] : sums)
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (both[i].sum.empty())
+                return fail(file,
+                            "trial " + std::to_string(trial) + " was not measured " + (i == 0 ? "before" : "after"));
+            results[trial][i] = both[i].means();
+        }
+    return results;
+}
+
+}  // namespace mrose

@@ -1,0 +1,69 @@
+// What ships is validated, and each of its runs is repeated and opened as its row says.
+#include "experiment/run.h"
+#include "io/format.h"
+#include "support/workshop.h"
+#include "workflow/expect_error.h"
+#include "workflow/open_scenario.h"
+#include "workflow/read_trials.h"
+#include "workflow/validate_behaviour.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+using Validating = Workshop;
+
+TEST_F(Validating, ShippedValidationRunsAndEachRunIsRepeated) {
+    ValidateRequest request{"faster_turns.toml", path("out"), 3};
+    request.seconds = [] { return 90.0; };
+    const auto validated = validateBehaviour(request);
+    ASSERT_TRUE(validated) << validated.error().message();
+    ASSERT_TRUE(validated->result);
+    EXPECT_EQ(validated->summary.runs, 12);
+    EXPECT_EQ(listing(), (std::vector<std::string>{"out"}));
+    EXPECT_NE(read("out/report.html").find("1.50 min of this validation"), std::string::npos);
+    EXPECT_NE(read("out/validation.csv").find("share of the gain that survives"), std::string::npos);
+    // The robot's motion was learned from 200 runs of 60 s, but for those that were held out.
+    ASSERT_TRUE(validated->result->account.fromNetworks);
+    EXPECT_GT(*validated->result->account.logMinutes, 140);
+    EXPECT_LT(*validated->result->account.logMinutes, 200);
+    const auto trials = readTrials(path("out/disagreements.csv"));
+    ASSERT_TRUE(trials) << trials.error().message();
+    EXPECT_EQ(trials->rows.size(), 2 * validated->result->disagreements.size());
+    const auto all = readTrials(path("out/results.csv"));
+    ASSERT_TRUE(all) << all.error().message();
+    const auto hash = std::ranges::find(all->columns, "world_hash") - all->columns.begin();
+    for (const std::size_t row : {0u, 4u, 7u, 11u}) {
+        const OpenRequest& opened = all->rows[row].request;
+        ScenarioRequest one{opened.file};
+        one.trial = opened.trial, one.variant = opened.variant;
+        const auto scenario = openScenario(one);
+        ASSERT_TRUE(scenario) << scenario.error().message();
+        RunOptions options;
+        options.duration = fromSeconds(all->rows[row].end);
+        const auto run = mrose::run(*scenario->scenario, scenario->scenario->initialState(*opened.seed), options);
+        ASSERT_TRUE(run) << run.error().message();
+        EXPECT_EQ(hexadecimal(hashOf(run->state).world), all->rows[row].cells[static_cast<std::size_t>(hash)]) << row;
+    }
+    const auto again = validateBehaviour(request);
+    ASSERT_TRUE(again) << again.error().message();
+    EXPECT_EQ(again->summary.resumed, 12);
+}
+
+TEST_F(Validating, WhatCannotBeValidatedSaysWhy) {
+    expectError(validateBehaviour({"nothing.toml", path("out")}), "nothing.toml", {"was not found"});
+    expectError(validateBehaviour({"time_to_target.toml", path("out")}), "",
+                {"is \"mrose experiment\"; expected one of \"mrose validation\""});
+    expectError(validateBehaviour({"faster_turns.toml", path("out"), 500}), "", {"--trials", "400 trials"});
+    EXPECT_TRUE(listing().empty());
+    ExperimentWatch ended;
+    ended.goesOn = [] { return false; };
+    const auto part = validateBehaviour({"faster_turns.toml", path("out"), 2}, ended);
+    ASSERT_TRUE(part) << part.error().message();
+    EXPECT_FALSE(part->summary.complete);
+    EXPECT_FALSE(part->result);
+    EXPECT_EQ(read("out/report.html"), "");
+}
+
+}  // namespace
+}  // namespace mrose
