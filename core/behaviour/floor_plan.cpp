@@ -1,39 +1,11 @@
 #include "behaviour/floor_plan.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mrose {
 namespace {
 
 constexpr double nearEnough = 0.001;  // m, to the end of a free way
-
-Point nearestOnSegment(const Point& place, const Point& a, const Point& b) {
-    const Point along = b - a;
-    return a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along;
-}
-
-FloorPlan::Wall wallTowards(const Point& place, const Point& nearest) {
-    const double far = distance(nearest, place);
-    return {nearest, far > 0 ? (1 / far) * (place - nearest) : Point{1, 0}, far};
-}
-
-FloorPlan::Wall wallOf(const ConvexPiece& piece, const Point& place) {
-    if (piece.isCircle()) {
-        const FloorPlan::Wall centre = wallTowards(place, piece.centre);
-        return {piece.centre + piece.radius * centre.away, centre.away, centre.distance - piece.radius};
-    }
-    FloorPlan::Wall inside{{}, {}, -std::numeric_limits<double>::infinity()}, best;
-    best.distance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < piece.count; ++i) {
-        const Point& corner = piece.corners[i];
-        if (const double outside = dot(piece.normals[i], place - corner); outside > inside.distance)
-            inside = {place - outside * piece.normals[i], piece.normals[i], outside};
-        const Point nearest = nearestOnSegment(place, corner, piece.corners[(i + 1) % piece.count]);
-        if (const double far = distance(nearest, place); far < best.distance) best = wallTowards(place, nearest);
-    }
-    return inside.distance <= 0 ? inside : best;
-}
 
 }  // namespace
 
@@ -41,7 +13,7 @@ std::vector<FloorPlan::Wall> FloorPlan::wallsNear(const Point& place, double wit
     std::vector<Wall> walls;
     for (const ConvexPiece& piece : pieces_) {
         if (distance(place, piece.centre) > piece.reach + within) continue;
-        if (const Wall wall = wallOf(piece, place); wall.distance < within) walls.push_back(wall);
+        if (const Wall wall = nearestPoint(piece, place); wall.distance < within) walls.push_back(wall);
     }
     return walls;
 }
