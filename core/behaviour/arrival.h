@@ -9,8 +9,8 @@
 
 namespace mrose {
 
-/// How far a robot has got with coming to rest at a pose: it approaches its place, turns on the spot, and rests, until its
-/// belief says that it is elsewhere. Part of a controller's memory; all zero it approaches.
+/// How far a robot has got with coming to rest at a pose: it approaches its place, turns on the spot, and rests, until
+/// its belief says that it is elsewhere. Part of a controller's memory; all zero it approaches.
 struct Arrival {
     enum Phase : std::int64_t { approaching, aligning, resting, backingOff };
     static constexpr std::array names{"approaching", "aligning", "resting", "backing off"};

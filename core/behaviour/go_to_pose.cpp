@@ -36,8 +36,9 @@ struct GoToPose::Memory {
 };
 
 std::size_t GoToPose::memorySize() const {
-    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(Arrival) + 3 * 8,
-                  "no padding");
+    static_assert(
+        sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(Arrival) + 3 * 8,
+        "no padding");
     return sizeof(Memory);
 }
 
@@ -121,7 +122,8 @@ void GoToPose::annotate(const Memory& memory, Decision& decision) const {
 std::vector<MemoryEntry> GoToPose::explain(std::span<const std::byte> bytes) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
-    std::vector<MemoryEntry> entries{{.name = "state", .text = Arrival::names[static_cast<std::size_t>(memory.arrival.phase)]}};
+    std::vector<MemoryEntry> entries{
+        {.name = "state", .text = Arrival::names[static_cast<std::size_t>(memory.arrival.phase)]}};
     entries.push_back({"target number", static_cast<double>(memory.target + 1)});
     if (!options_.targets.empty()) {
         entries.push_back({"target x", target(memory).x, "m"});

@@ -15,19 +15,21 @@
 namespace mrose {
 namespace {
 
-constexpr std::size_t mostPoints = 16;                     // of its path
-constexpr Nanoseconds planCheckedEvery = 500'000'000;            // whether its plan still holds
-constexpr Nanoseconds believedFor = 1'500'000'000;         // what others told, and where they were seen
-constexpr double mostOffPath = 0.25;                           // m, from which on it plans anew
-constexpr double passingNearer = 0.03;                           // m, nearer than planned that a path may come to be
-constexpr double spareAhead = 0.01;                        // m, to what is ahead
-constexpr double seesFor = 0.8, seesMore = 0.25;           // s and m, ahead
-constexpr double yieldingPatience = 1.2, otherPatience = 3;         // s, blocked: until it goes round who gives way, who does not
+constexpr std::size_t mostPoints = 16;                 // of its path
+constexpr Nanoseconds planCheckedEvery = 500'000'000;  // whether its plan still holds
+constexpr Nanoseconds believedFor = 1'500'000'000;     // what others told, and where they were seen
+constexpr double mostOffPath = 0.25;                   // m, from which on it plans anew
+constexpr double passingNearer = 0.03;                 // m, nearer than planned that a path may come to be
+constexpr double spareAhead = 0.01;                    // m, to what is ahead
+constexpr double seesFor = 0.8, seesMore = 0.25;       // s and m, ahead
+constexpr double yieldingPatience = 1.2,
+                 otherPatience = 2.5;  // s, blocked: until it goes round who gives way, who does not
 constexpr Nanoseconds goesRoundFor = 4 * nanosecondsPerSecond;
-constexpr double turnAwayFromPath = 0.6;                   // rad, after backing off
-constexpr double stopsWithin = 0.05;                       // m, of where it is to stop
-constexpr double newestShare = 0.3;                             // share of a sighting in what is remembered of an object
-constexpr double displaced = 0.3;                              // m, after which it is believed anew
+constexpr double turnAwayFromPath = 0.6;  // rad, after backing off
+constexpr double straightAhead = 0.5;     // cosine
+constexpr double stopsWithin = 0.05;      // m, of where it is to stop
+constexpr double newestShare = 0.3;       // share of a sighting in what is remembered of an object
+constexpr double displaced = 0.3;         // m, after which it is believed anew
 
 }  // namespace
 
@@ -57,11 +59,11 @@ struct Navigate::Memory {
     std::int64_t planned;                  ///< how often it has planned
     std::int64_t outcome;                  ///< of the last time
     Nanoseconds checked;
-    double progress;        ///< m, along its path
-    double holdAt;          ///< m, likewise
-    Nanoseconds holdUntil;  ///< 0: it does not stop
-    double blocked;         ///< s, for how long somebody has been in the way
-    Nanoseconds roundUntil; ///< until then others count as obstacles where they are
+    double progress;         ///< m, along its path
+    double holdAt;           ///< m, likewise
+    Nanoseconds holdUntil;   ///< 0: it does not stop
+    double blocked;          ///< s, for how long somebody has been in the way
+    Nanoseconds roundUntil;  ///< until then others count as obstacles where they are
 
     std::span<const Point> path() const { return std::span(points).first(static_cast<std::size_t>(count)); }
     bool holds() const { return motion.now() < holdUntil; }
@@ -152,7 +154,7 @@ Navigate::Traffic Navigate::traffic(const Observation& observation, const Memory
         const bool stands = !told || mate.path.resting != 0;
         if (stands || (round && distance(*place, position(memory.self.pose)) < 3 * separation()))
             pieces.push_back(ConvexPiece::circle(*place, options_.radius));
-        else if (i < observation.robot)
+        else if (yieldsTo(i, observation.robot))
             others.push_back(mate.path.timed(toSeconds(mate.sent - observation.time), options_.rotation));
     }
     return {DiscSpace(std::move(pieces), options_.radius + options_.spare), std::move(others)};
@@ -212,8 +214,10 @@ double Navigate::freeAhead(const Observation& observation, const Pose& ahead, do
     const auto meets = [&](const Point& centre, double radius) {
         const Point line = centre - place;
         const double along = dot(line, way), reach = options_.radius + spareAhead + radius;
-        const double rest = reach * reach - (dot(line, line) - along * along);
-        if (along > 0 && rest > 0) free = std::min(free, std::max(0.0, along - std::sqrt(rest)));
+        const double squared = dot(line, line), rest = reach * reach - (squared - along * along);
+        // Past what it all but touches it may slide.
+        if (squared < reach * reach ? along > straightAhead * std::sqrt(squared) : along > 0 && rest > 0)
+            free = std::min(free, std::max(0.0, along - std::sqrt(rest)));
     };
     for (const Memory::Object& object : memory.objects)
         if (object.known != 0) meets(object.place, options_.objectRadius);
@@ -229,9 +233,10 @@ void Navigate::noteBlocked(const Observation& observation, bool blocked, Memory&
     const double since = toSeconds(memory.motion.sinceLast());
     memory.blocked = blocked ? memory.blocked + since : 0;
     bool yields = false;
-    for (std::size_t i = 0; i < std::min<std::size_t>(observation.robot, memory.mates.size()); ++i)
-        if (const auto mate = placeOfMate(memory.mates[i], observation.time, options_.rotation))
-            yields = yields || distance(*mate, position(memory.self.pose)) < 2 * separation();
+    for (std::size_t i = 0; i < memory.mates.size(); ++i)
+        if (yieldsTo(i, observation.robot))
+            if (const auto mate = placeOfMate(memory.mates[i], observation.time, options_.rotation))
+                yields = yields || distance(*mate, position(memory.self.pose)) < 2 * separation();
     if (memory.blocked < (yields ? yieldingPatience : otherPatience)) return;
     memory.blocked = 0;
     memory.roundUntil = observation.time + goesRoundFor;
@@ -249,8 +254,7 @@ Command Navigate::onTheWay(const Observation& observation, const Pose& ahead, Me
         memory.blocked = 0;
         return {};
     }
-    Command command =
-        followPath(path, ahead, memory.progress, end, {options_.speed, options_.rotation});
+    Command command = followPath(path, ahead, memory.progress, end, {options_.speed, options_.rotation});
     const double look = std::min(seesMore + seesFor * options_.speed, std::max(0.05, end - memory.progress));
     const double onwards = freeAhead(observation, ahead, look, memory);
     command.v *= std::min(1.0, onwards / look);
@@ -328,7 +332,8 @@ std::vector<MemoryEntry> Navigate::explain(std::span<const std::byte> bytes) con
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
     std::vector<MemoryEntry> entries{{.name = "state", .text = std::string(stateOf(memory))}};
-    entries.push_back({.name = "planner", .text = std::string(plannerNames[static_cast<std::size_t>(options_.planner)])});
+    entries.push_back(
+        {.name = "planner", .text = std::string(plannerNames[static_cast<std::size_t>(options_.planner)])});
     entries.push_back({.name = "repair", .text = std::string(repairNames[static_cast<std::size_t>(options_.repair)])});
     entries.push_back({"plans so far", static_cast<double>(memory.planned)});
     entries.push_back({"path length", lengthOf(memory.path()), "m"});

@@ -10,15 +10,16 @@
 
 namespace mrose {
 
-/// Drives to a pose by a planned path, among walls that it knows and bodies that it sees and remembers, and rests there.
-/// Robots of a team tell each other their coming paths; who has the higher index repairs its own where it conflicts with
-/// theirs. What is planned holds until it no longer does.
+/// Drives to a pose by a planned path, among walls that it knows and bodies that it sees and remembers, and rests
+/// there. Robots of a team tell each other their coming paths; who does not go first, by its index, repairs its own
+/// where it conflicts with theirs. What is planned holds until it no longer does.
 class Navigate final : public Controller {
 public:
     struct Options {
-        Pose target;                    ///< in the world's frame
+        Pose target;  ///< in the world's frame
         Planner planner = Planner::visibilityGraph;
         Repair repair = Repair::wait;
+        bool lowestFirst = true;        ///< robots of lower index go first, otherwise those of higher
         double speed = 0.4;             ///< m/s
         double rotation = 1;            ///< rad/s
         double tolerance = 0.05;        ///< m
@@ -51,6 +52,7 @@ private:
     void tell(const Memory& memory, Decision& decision) const;
     void annotate(const Memory& memory, Decision& decision) const;
     std::string_view stateOf(const Memory& memory) const;
+    bool yieldsTo(std::size_t mate, std::size_t own) const { return options_.lowestFirst ? mate < own : mate > own; }
     double separation() const { return 2 * options_.radius + options_.spare; }
 
     Options options_;

@@ -7,7 +7,7 @@
 namespace mrose {
 namespace {
 
-constexpr int pushes = 8;        // away from the nearest piece, before all round is searched
+constexpr int pushes = 8;          // away from the nearest piece, before all round is searched
 constexpr double freedWithin = 4;  // radii
 constexpr int freedBearings = 48, freedRings = 40;
 

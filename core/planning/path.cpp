@@ -42,9 +42,7 @@ double angleFrom(const Point& a, const Point& b) { return std::abs(arcTangent(cr
 
 }  // namespace
 
-double PathPart::length() const {
-    return angle == 0 ? distance(from, to) : std::abs(angle) * distance(centre, from);
-}
+double PathPart::length() const { return angle == 0 ? distance(from, to) : std::abs(angle) * distance(centre, from); }
 
 Path pathOf(std::vector<PathPart> parts, const DiscSpace& space) {
     std::erase_if(parts, [](const PathPart& part) { return part.length() < noLength; });

@@ -6,10 +6,10 @@
 namespace mrose {
 namespace {
 
-constexpr int patience = 12;          // steps without getting nearer
-constexpr double leastGap = 0.02;     // m, by which forces are computed
-constexpr double followGap = 0.03;    // m, to the growth of a piece that is followed
-constexpr double thinning = 0.05;     // m, that a thinned path may be off
+constexpr int patience = 12;        // steps without getting nearer
+constexpr double leastGap = 0.02;   // m, by which forces are computed
+constexpr double followGap = 0.03;  // m, to the growth of a piece that is followed
+constexpr double thinning = 0.05;   // m, that a thinned path may be off
 
 Point unit(const Point& p) {
     const double far = length(p);
@@ -130,10 +130,10 @@ private:
     const PotentialFieldOptions& options_;
     Point at_;
     std::vector<Point> points_;
-    double room_ = 0;        ///< m, at least, until it touches something
-    double nearest_;         ///< m, to the goal so far
-    std::size_t best_ = 1;   ///< points until there
-    int idle_ = 0;           ///< steps since
+    double room_ = 0;       ///< m, at least, until it touches something
+    double nearest_;        ///< m, to the goal so far
+    std::size_t best_ = 1;  ///< points until there
+    int idle_ = 0;          ///< steps since
     std::size_t minima_ = 0;
     Point minimum_;
     bool following_ = false, other_ = false, stuck_ = false;

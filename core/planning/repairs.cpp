@@ -86,8 +86,7 @@ std::vector<Point> temporaryTargets(const PlanRequest& request, const Conflict& 
     std::vector<std::pair<double, Point>> order;
     for (const double far : {0.75, 1.25})
         for (int k = 0; k < 8; ++k) {
-            const Point place =
-                conflict.mine + (far * request.separation) * towards(2 * std::numbers::pi * k / 8);
+            const Point place = conflict.mine + (far * request.separation) * towards(2 * std::numbers::pi * k / 8);
             if (!request.space.free(place)) continue;
             double passed = std::numeric_limits<double>::infinity();
             for (const TimedPath& other : request.others)
@@ -147,7 +146,8 @@ void goRound(const PlanRequest& request, Conflict conflict, std::size_t with, bo
     std::vector<Point> discs;
     for (int i = 0; i < mostImagined; ++i) {
         for (const Point& place : placesOf(request.others[with], conflict, now, request.drive.begin))
-            if (distance(place, request.start) > request.separation && distance(place, request.goal) > request.separation)
+            if (distance(place, request.start) > request.separation &&
+                distance(place, request.goal) > request.separation)
                 discs.push_back(place);
         if (discs.empty()) return;
         std::vector<Point> points =

@@ -12,7 +12,8 @@ namespace mrose {
 
 /// What one robot does about its path where it conflicts in time with those of others, to which it gives way.
 enum class Repair { none, wait, temporaryTarget, imaginedObstacle, replan };
-constexpr std::array<std::string_view, 5> repairNames{"none", "wait", "temporary_target", "imagined_obstacle", "replan"};
+constexpr std::array<std::string_view, 5> repairNames{"none", "wait", "temporary_target", "imagined_obstacle",
+                                                      "replan"};
 
 /// A path through points, maybe with a stop on the way.
 struct Plan {
@@ -39,8 +40,10 @@ struct PlanRequest {
 /// A way by the planner. Where it conflicts with others':
 /// - `wait`: it stops for the least time that lets them pass, as late on its path as that does;
 /// - `temporaryTarget`: it goes to a place beside its path, stops there till they have passed, and goes on;
-/// - `imaginedObstacle`: where the other is during the conflict is an obstacle, and the way is planned anew, up to four times;
-/// - `replan`: where the other is now is an obstacle, and the way is planned anew; who plans again and again gets round it;
+/// - `imaginedObstacle`: where the other is during the conflict is an obstacle, and the way is planned anew, up to four
+/// times;
+/// - `replan`: where the other is now is an obstacle, and the way is planned anew; who plans again and again gets round
+/// it;
 /// - `none`: nothing.
 /// Where a repair finds nothing the path stays as it was, not clear.
 Plan repairedPlan(const PlanRequest& request);

@@ -7,8 +7,8 @@
 
 namespace mrose {
 
-/// Where a disc is at which time: on straight ways at constant speed from point to point, before the first and after the
-/// last one at rest.
+/// Where a disc is at which time: on straight ways at constant speed from point to point, before the first and after
+/// the last one at rest.
 struct TimedPath {
     struct Instant {
         Point place;

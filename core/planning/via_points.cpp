@@ -22,7 +22,7 @@ double lengthFrom(const Point& start, const Way& way) {
 /// How a piece lies along a straight way.
 struct Beside {
     double first = std::numeric_limits<double>::infinity(), last = -first;  ///< m, along it
-    double farthest = -first;                                              ///< m, to the side
+    double farthest = -first;                                               ///< m, to the side
 };
 
 Beside besideOf(const ConvexPiece& piece, const Placement& frame, double side) {

@@ -17,8 +17,8 @@ constexpr double sameDirection = 1e-7;
 struct RoundCorner {
     Point centre;
     double radius = 0;
-    Point first, last;       ///< its outward normals, length 1, go counter-clockwise from here to there
-    bool full = false;       ///< a circle: all directions
+    Point first, last;  ///< its outward normals, length 1, go counter-clockwise from here to there
+    bool full = false;  ///< a circle: all directions
     std::size_t piece = 0;
     std::vector<std::size_t> near;  ///< other pieces whose growth may cut it
 
@@ -106,7 +106,7 @@ private:
     RoundCorner start_, goal_;
     std::vector<RoundCorner> corners_;
     std::vector<Node> nodes_;
-    std::vector<std::pair<double, std::size_t>> open_;  ///< heap: length and straight rest, node
+    std::vector<std::pair<double, std::size_t>> open_;           ///< heap: length and straight rest, node
     std::vector<std::array<std::vector<std::size_t>, 2>> left_;  ///< nodes from which a corner was left, by sense
 };
 
@@ -138,8 +138,8 @@ void TangentSearch::add(RoundCorner corner) {
     corners_.push_back(std::move(corner));
 }
 
-/// Whether the arc enters the growth of another piece. It is nearest to one at an end, which is free, or where its normal
-/// points at a corner, is opposite to an edge's, or, deep within, points at its middle.
+/// Whether the arc enters the growth of another piece. It is nearest to one at an end, which is free, or where its
+/// normal points at a corner, is opposite to an edge's, or, deep within, points at its middle.
 bool TangentSearch::cut(const RoundCorner& corner, const Point& from, double angle, int sense) const {
     const auto within = [&](const ConvexPiece& piece, const Point& way) {
         const double far = length(way);

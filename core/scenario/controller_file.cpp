@@ -213,6 +213,7 @@ ControllerSetting navigate(const Context& context) {
     options.target = pose(table.table("target"));
     if (table.has("planner")) options.planner = static_cast<Planner>(table.choice("planner", plannerNames));
     if (table.has("repair")) options.repair = static_cast<Repair>(table.choice("repair", repairNames));
+    if (table.has("first")) options.lowestFirst = table.choice("first", {"lowest", "highest"}) == 0;
     options.speed = table.numberOr("speed_mps", options.speed, {0.01, speeds.most});
     options.rotation = angleOr(table, "rotation_degps", options.rotation, {1, rotations.most});
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});

@@ -6,7 +6,6 @@
 #include "world/noise.h"
 #include "world/noise_channel.h"
 
-
 namespace mrose {
 
 double drawnNumber(std::uint64_t seed, std::int64_t which, std::uint32_t part, double least, double most) {
@@ -47,7 +46,8 @@ DiscSpace drawnRoom(std::uint64_t seed, std::int64_t which) {
 
 Point drawnPlace(const DiscSpace& space, std::uint64_t seed, std::int64_t which, std::uint32_t part) {
     for (std::uint32_t i = 0;; ++i) {
-        const Point place{drawnNumber(seed, which, part + 2 * i, 0.3, 5.7), drawnNumber(seed, which, part + 2 * i + 1, 0.3, 3.7)};
+        const Point place{drawnNumber(seed, which, part + 2 * i, 0.3, 5.7),
+                          drawnNumber(seed, which, part + 2 * i + 1, 0.3, 3.7)};
         if (space.free(place)) return place;
     }
 }

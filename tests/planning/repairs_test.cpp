@@ -37,8 +37,14 @@ TEST(Repairs, ClearPlansDoNotConflict) {
                                        {.heading = 0, .speed = 0.4}));
         const Point start = drawnPlace(space, 54, trial, 0), goal = drawnPlace(space, 55, trial, 0);
         for (std::size_t repair = 0; repair < repairNames.size(); ++repair) {
-            const PlanRequest request{Planner::visibilityGraph, static_cast<Repair>(repair), space, start, goal,
-                                      {.heading = 0, .speed = 0.4}, others, 0.55};
+            const PlanRequest request{Planner::visibilityGraph,
+                                      static_cast<Repair>(repair),
+                                      space,
+                                      start,
+                                      goal,
+                                      {.heading = 0, .speed = 0.4},
+                                      others,
+                                      0.55};
             const Plan plan = repairedPlan(request);
             if (!plan.found()) continue;
             EXPECT_EQ(plan.points.front(), start);

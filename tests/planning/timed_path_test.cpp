@@ -7,7 +7,6 @@
 
 #include "planning/planning_worlds.h"
 
-
 namespace mrose {
 namespace {
 
@@ -57,7 +56,8 @@ TEST(TimedPath, ConflictsAreThoseOfSampledMotion) {
         const auto drawn = [&](std::uint32_t part) {
             std::vector<Point> points;
             for (std::uint32_t i = 0; i < 4; ++i)
-                points.push_back({drawnNumber(41, trial, part + 2 * i, 0, 5), drawnNumber(41, trial, part + 2 * i + 1, 0, 3)});
+                points.push_back(
+                    {drawnNumber(41, trial, part + 2 * i, 0, 5), drawnNumber(41, trial, part + 2 * i + 1, 0, 3)});
             return timedPath(points, {.heading = drawnNumber(41, trial, part + 20, -3, 3), .speed = 0.4, .rotation = 1},
                              {1.0, drawnNumber(41, trial, part + 21, 0, 3)});
         };

@@ -16,8 +16,8 @@ TEST(VisibilityGraph, WayRoundOneDiscIsTwoTangentsAndAnArc) {
         const DiscSpace space({ConvexPiece::circle({0, aside}, 0.3)}, 0.25);
         const Point start{-2, 0}, goal{3, 0.2};
         const double a = std::hypot(start.x, start.y - aside), b = std::hypot(goal.x, goal.y - aside);
-        const double between =
-            std::abs(std::remainder(std::atan2(start.y - aside, start.x) - std::atan2(goal.y - aside, goal.x), 2 * M_PI));
+        const double between = std::abs(
+            std::remainder(std::atan2(start.y - aside, start.x) - std::atan2(goal.y - aside, goal.x), 2 * M_PI));
         const double expected = std::sqrt(a * a - radius * radius) + std::sqrt(b * b - radius * radius) +
                                 radius * (between - std::acos(radius / a) - std::acos(radius / b));
         const Path path = shortestPath(space, start, goal);

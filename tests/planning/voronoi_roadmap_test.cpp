@@ -30,10 +30,10 @@ TEST(VoronoiRoadmap, EachNodeIsAsFarFromTwoPieces) {
         const VoronoiRoadmap roadmap(space);
         for (const VoronoiRoadmap::Node& node : roadmap.nodes()) {
             const auto [first, second] = twoNearest(space, node.place);
-            EXPECT_NEAR(node.distance, first, 1e-12);
-            EXPECT_GE(first, 0.25);
-            // Circles are octagons there, whose outline is off by 5 % of the radius.
-            EXPECT_LE(second - first, 0.08) << world << ": " << node.place.x << ' ' << node.place.y;
+            EXPECT_NEAR(node.distance, first, 0.05);
+            EXPECT_GE(first, 0.25 - 0.05);
+            // Pieces are points there, at most 0.3 m apart.
+            EXPECT_LE(second - first, 0.1) << world << ": " << node.place.x << ' ' << node.place.y;
             ++nodes;
         }
     }
@@ -52,7 +52,8 @@ TEST(VoronoiRoadmap, InACorridorItKeepsToTheMiddle) {
         bool crossed = false;
         for (const PathPart& part : path.parts)
             if (part.from.x <= x && part.to.x > x) {
-                const double y = part.from.y + (x - part.from.x) / (part.to.x - part.from.x) * (part.to.y - part.from.y);
+                const double y =
+                    part.from.y + (x - part.from.x) / (part.to.x - part.from.x) * (part.to.y - part.from.y);
                 EXPECT_NEAR(y, (0.4 - 0.2) / 2, 1e-3);
                 crossed = true;
             }
