@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geometry/shape.h"
+#include "geometry/nearest_point.h"
 
 namespace mrose {
 
@@ -10,15 +10,11 @@ namespace mrose {
 /// are not in it.
 class FloorPlan {
 public:
-    /// The point of a piece that is nearest to some place.
-    struct Wall {
-        Point nearest;
-        Point away;           ///< from there to the place, length 1
-        double distance = 0;  ///< m; negative inside
-    };
+    using Wall = NearestPoint;
 
     explicit FloorPlan(std::vector<ConvexPiece> pieces = {}) : pieces_(std::move(pieces)) {}
 
+    const std::vector<ConvexPiece>& pieces() const { return pieces_; }
     /// Of each piece nearer than `within`.
     std::vector<Wall> wallsNear(const Point& place, double within) const;
     /// How far a disc of `radius` gets from `place` in `direction` (length 1) until it touches a wall that it comes

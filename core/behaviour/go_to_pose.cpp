@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "behaviour/arrival.h"
 #include "behaviour/back_off.h"
 #include "behaviour/memory_entries.h"
 #include "behaviour/own_belief.h"
@@ -15,19 +16,12 @@
 namespace mrose {
 namespace {
 
-struct Going {
-    enum Phase : std::int64_t { approaching, aligning, resting, backingOff };
-    static constexpr std::array names{"approaching", "aligning", "resting", "backing off"};
-};
-
-constexpr double alignGain = 2;           // 1/s
 constexpr double turnAwayFromGoal = 0.6;  // rad, after backing off
 constexpr double spareWay = 0.06;         // m, to walls and bodies
 constexpr double leastSpare = 0.01;       // m, likewise: as little as it may become
 constexpr double lookFor = 1;             // s, ahead for walls and bodies, at full speed ...
 constexpr double lookMore = 0.3;          // m, ... and so much farther
 constexpr double detourFor = 0.8;         // s, after it has turned
-constexpr double unsure = 4;              // standard deviations of its belief, before it leaves where it has arrived
 
 }  // namespace
 
@@ -36,40 +30,20 @@ struct GoToPose::Memory {
     OwnBelief self;
     BackOff backOff;
     std::int64_t target;
-    std::int64_t phase;
-    std::int64_t tailFirst;
+    Arrival arrival;
     double detour;  ///< rad, in the world's frame
     Nanoseconds detourEnd;
 };
 
 std::size_t GoToPose::memorySize() const {
-    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + 5 * 8, "no padding");
+    static_assert(
+        sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(Arrival) + 3 * 8,
+        "no padding");
     return sizeof(Memory);
 }
 
 const Pose& GoToPose::target(const Memory& memory) const {
     return options_.targets[static_cast<std::size_t>(memory.target)];
-}
-
-/// By where the robot will be when its command of now takes effect.
-void GoToPose::updatePhase(Memory& memory, const Pose& ahead) const {
-    const Point line = position(target(memory)) - position(ahead);
-    const double off = length(line), turn = std::abs(wrapAngle(target(memory).heading - ahead.heading));
-    const Placement frame(ahead);
-    const double onwards = frame.rotateBack(line).x * (memory.tailFirst != 0 ? -1 : 1);
-    if (memory.phase == Going::backingOff) memory.phase = Going::approaching;
-    if (memory.phase != Going::approaching &&
-        off > options_.tolerance + unsure * std::sqrt(memory.self.positionVariance))
-        memory.phase = Going::approaching;
-    if (memory.phase == Going::approaching &&
-        (off < options_.tolerance / 2 || (off < options_.tolerance && onwards < 0)))
-        memory.phase = Going::aligning;
-    if (memory.phase == Going::aligning && turn < options_.headingTolerance / 2) memory.phase = Going::resting;
-    if (memory.phase == Going::resting &&
-        turn > options_.headingTolerance + unsure * std::sqrt(memory.self.headingVariance))
-        memory.phase = Going::aligning;
-    // Once it goes tail first, it stays so until the target is clearly ahead, and the other way round.
-    if (memory.phase == Going::approaching && options_.backwards && onwards < -0.2 * off) memory.tailFirst ^= 1;
 }
 
 /// Who and what is seen, as circles as large as the robot itself.
@@ -95,7 +69,7 @@ Command GoToPose::approach(const Observation& observation, const Pose& ahead, Me
         const Point way = Placement({0, 0, heading}).rotate({1, 0});
         return std::min(options_.walls->freeWay(place, way, radius, look), bodies.freeWay(place, way, radius, look));
     };
-    const bool tailFirst = memory.tailFirst != 0;
+    const bool tailFirst = memory.arrival.tailFirst != 0;
     const double facing = ahead.heading + (tailFirst ? std::numbers::pi : 0),
                  wanted = observation.time < memory.detourEnd ? memory.detour : direction(line);
     const double heading = clearHeading(wanted, look, [&](double way) { return freeWay(way, room); });
@@ -118,24 +92,21 @@ Command GoToPose::approach(const Observation& observation, const Pose& ahead, Me
 Command GoToPose::drive(const Observation& observation, Memory& memory) const {
     if (const std::optional<Command> back = memory.backOff.update(
             observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAwayFromGoal})) {
-        memory.phase = Going::backingOff;
+        memory.arrival.phase = Arrival::backingOff;
         return *back;
     }
     const Pose ahead = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
-    updatePhase(memory, ahead);
-    if (memory.phase == Going::resting) {
-        const bool standing = std::abs(observation.velocity().v) < 0.05 && std::abs(observation.velocity().w) < 0.1;
+    memory.arrival.update(ahead, target(memory), memory.self,
+                          {options_.tolerance, options_.headingTolerance, options_.backwards});
+    if (memory.arrival.phase == Arrival::resting) {
         const auto count = static_cast<std::int64_t>(options_.targets.size());
-        if (standing && (options_.loop || memory.target + 1 < count)) {
+        if (standsStill(observation.velocity()) && (options_.loop || memory.target + 1 < count)) {
             memory.target = (memory.target + 1) % count;
-            memory.phase = Going::approaching;
+            memory.arrival.phase = Arrival::approaching;
         }
         return {};
     }
-    if (memory.phase == Going::aligning) {
-        const double turn = wrapAngle(target(memory).heading - ahead.heading);
-        return {0, std::clamp(alignGain * turn, -options_.rotation, options_.rotation)};
-    }
+    if (memory.arrival.phase == Arrival::aligning) return turnTo(target(memory).heading, ahead, options_.rotation);
     return approach(observation, ahead, memory);
 }
 
@@ -145,7 +116,7 @@ void GoToPose::annotate(const Memory& memory, Decision& decision) const {
     decision.annotations.push_back({.label = "distance (m)", .value = distance(position(memory.self.pose), goal)});
     decision.annotations.push_back({.kind = Annotation::Kind::text,
                                     .label = "state",
-                                    .text = Going::names[static_cast<std::size_t>(memory.phase)]});
+                                    .text = Arrival::names[static_cast<std::size_t>(memory.arrival.phase)]});
 }
 
 std::vector<MemoryEntry> GoToPose::explain(std::span<const std::byte> bytes) const {
@@ -153,14 +124,14 @@ std::vector<MemoryEntry> GoToPose::explain(std::span<const std::byte> bytes) con
     const Nanoseconds now = memory.motion.now();
     std::vector<MemoryEntry> entries;
     entries.reserve(20);  // asked at every look of an experiment
-    entries.push_back({.name = "state", .text = Going::names[static_cast<std::size_t>(memory.phase)]});
+    entries.push_back({.name = "state", .text = Arrival::names[static_cast<std::size_t>(memory.arrival.phase)]});
     entries.push_back({"target number", static_cast<double>(memory.target + 1)});
     if (!options_.targets.empty()) {
         entries.push_back({"target x", target(memory).x, "m"});
         entries.push_back({"target y", target(memory).y, "m"});
         entries.push_back({"target heading", target(memory).heading, "rad"});
     }
-    entries.push_back({.name = "drives", .text = memory.tailFirst != 0 ? "tail first" : "forwards"});
+    entries.push_back({.name = "drives", .text = memory.arrival.tailFirst != 0 ? "tail first" : "forwards"});
     entries.push_back({"detour heading", memory.detour, "rad"});
     entries.push_back({"detour lasts for", toSeconds(std::max<Nanoseconds>(0, memory.detourEnd - now)), "s"});
     explainSelf(memory.self, now, entries);

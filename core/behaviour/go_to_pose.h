@@ -40,7 +40,6 @@ private:
     Command drive(const Observation& observation, Memory& memory) const;
     Command approach(const Observation& observation, const Pose& ahead, Memory& memory) const;
     FloorPlan bodiesSeen(const Observation& observation, const Memory& memory) const;
-    void updatePhase(Memory& memory, const Pose& ahead) const;
     void annotate(const Memory& memory, Decision& decision) const;
     const Pose& target(const Memory& memory) const;
 

@@ -88,6 +88,10 @@ Expected<ScenarioValue> TrialMaker::drawnScenario(const DrawnValues& drawn) cons
             if (!changed) return tl::unexpected(changed.error());
             value = std::move(*changed);
         }
+    return value;
+}
+
+ScenarioValue TrialMaker::withoutBodies(ScenarioValue value, const DrawnValues& drawn) const {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const Draw& draw = experiment_.draws[i];
         if (draw.kind != Draw::Kind::bodies) continue;
@@ -131,6 +135,7 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
                 if (!changed) return tl::unexpected(changed.error());
                 varied = std::move(*changed);
             }
+            varied = withoutBodies(std::move(varied), trial.drawn);
             auto loaded = scenarioOf(varied);
             if (!loaded) return tl::unexpected(told(loaded.error(), varied, number));
             if (!*loaded) wanted = false;
@@ -186,8 +191,9 @@ Expected<void> TrialMaker::check() {
         sets = std::move(more);
     }
     for (const DrawnValues& drawn : sets) {
-        const auto value = drawnScenario(drawn);
+        auto value = drawnScenario(drawn);
         if (!value) return tl::unexpected(value.error());
+        *value = withoutBodies(std::move(*value), drawn);
         auto loaded = loadScenario(*value, library_, loading_);
         if (!loaded) return tl::unexpected(told(loaded.error(), *value, experiment_.firstTrial));
         const Scenario scenario(std::move(loaded->parts));

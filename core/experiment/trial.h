@@ -40,7 +40,9 @@ private:
     Expected<DrawnValues> draw(std::uint32_t number, int attempt);
     Expected<Value> valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,
                             const DrawnValues& drawn);
+    /// With all bodies, also those that are to be left out.
     Expected<ScenarioValue> drawnScenario(const DrawnValues& drawn) const;
+    ScenarioValue withoutBodies(ScenarioValue value, const DrawnValues& drawn) const;
     /// nullopt: bodies overlap.
     Expected<std::optional<LoadedScenario>> scenarioOf(const ScenarioValue& value);
     Expected<bool> isWanted(const LoadedScenario& loaded, const DrawnValues& drawn);

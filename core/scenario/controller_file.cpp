@@ -9,6 +9,7 @@
 #include "behaviour/command_player.h"
 #include "behaviour/dynamic_window.h"
 #include "behaviour/go_to_pose.h"
+#include "behaviour/navigate.h"
 #include "behaviour/wander.h"
 #include "io/toml_text.h"
 #include "motion/kinematic.h"
@@ -206,6 +207,26 @@ ControllerSetting dynamicWindow(const Context& context) {
     return {std::make_shared<DynamicWindow>(std::move(options))};
 }
 
+ControllerSetting navigate(const Context& context) {
+    Navigate::Options options;
+    TomlTable& table = context.table;
+    options.target = pose(table.table("target"));
+    if (table.has("planner")) options.planner = static_cast<Planner>(table.choice("planner", plannerNames));
+    if (table.has("repair")) options.repair = static_cast<Repair>(table.choice("repair", repairNames));
+    if (table.has("first")) options.lowestFirst = table.choice("first", {"lowest", "highest"}) == 0;
+    options.speed = table.numberOr("speed_mps", options.speed, {0.01, speeds.most});
+    options.rotation = angleOr(table, "rotation_degps", options.rotation, {1, rotations.most});
+    options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});
+    options.headingTolerance = angleOr(table, "heading_tolerance_deg", options.headingTolerance, {0.1, 360});
+    options.objectRadius = table.numberOr("object_radius_m", options.objectRadius, {0.01, 10});
+    options.spare = table.numberOr("spare_m", options.spare, {0.01, 5});
+    options.ball = context.driven.ballRadius > 0;
+    options.radius = context.driven.robot.type.shape->reach;
+    options.walls = context.driven.walls;
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
+    return {std::make_shared<Navigate>(std::move(options))};
+}
+
 /// The network files that a plug-in's table `mappings` names, as part of its options.
 std::string mappingsText(const Context& context) {
     TomlTable& table = context.table;
@@ -261,6 +282,7 @@ constexpr std::array kinds{Kind{"velocity_script", velocityScript},
                            Kind{"chase_ball", chaseBall},
                            Kind{"wander", wander},
                            Kind{"dynamic_window", dynamicWindow},
+                           Kind{"navigate", navigate},
                            Kind{"plugin", plugin}};
 
 }  // namespace

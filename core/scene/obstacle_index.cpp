@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nearest_point.h"
+
 namespace mrose {
 namespace {
 
@@ -11,15 +13,6 @@ constexpr double mostCells = 1'000'000;  // a larger place has larger cells
 
 // So many are looked at one by one.
 constexpr std::size_t fewPieces = 32;
-
-/// How far a point is at least from a piece; negative within it.
-double leastDistance(const ConvexPiece& piece, const Point& point) {
-    if (piece.isCircle()) return distance(piece.centre, point) - piece.radius;
-    double outside = dot(piece.normals[0], point - piece.corners[0]);
-    for (std::size_t i = 1; i < piece.count; ++i)
-        outside = std::max(outside, dot(piece.normals[i], point - piece.corners[i]));
-    return outside;
-}
 
 }  // namespace
 

@@ -19,6 +19,7 @@ namespace {
 const std::map<std::string, std::set<std::string>> allowedLayers{
     {"io", {}},
     {"geometry", {}},
+    {"planning", {"geometry"}},
     {"world", {"io", "geometry"}},
     {"learning", {"io", "geometry"}},
     {"logs", {"io", "geometry", "world"}},
@@ -32,11 +33,11 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
     {"messages", {"io", "geometry", "world", "control"}},
     {"plugin", {"io", "geometry", "world", "learning", "control", "messages"}},
     {"drawing", {"io", "geometry", "scene"}},
-    {"behaviour", {"geometry", "world", "control"}},
+    {"behaviour", {"geometry", "planning", "world", "control"}},
     {"sensing", {"io", "geometry", "world", "motion", "perception", "scene", "control"}},
     {"scenario",
      {"io", "geometry", "world", "logs", "motion", "perception", "synthetic", "physics", "scene", "control", "sensing",
-      "behaviour", "plugin"}},
+      "behaviour", "planning", "plugin"}},
     {"simulation", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "sensing"}},
     {"quantities", {"io", "geometry", "world", "motion", "physics", "scene", "control", "scenario", "simulation"}},
     {"experiment",
@@ -73,6 +74,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
 /// Libraries that only some layers see: what an include begins with, and who may.
 const std::map<std::string, std::set<std::string>> librariesOfLayers{
     {"box2d/", {"physics"}},
+    {"boost/", {"planning"}},
     {"toml++/", {"io"}},
     {"xxhash.h", {"io", "world"}},
     {"zstd.h", {"io"}},

@@ -7,6 +7,7 @@
 #include "behaviour/command_player.h"
 #include "behaviour/dynamic_window.h"
 #include "behaviour/go_to_pose.h"
+#include "behaviour/navigate.h"
 #include "behaviour/small_field.h"
 #include "behaviour/wander.h"
 #include "scenario/obstacle_sensors.h"
@@ -41,14 +42,16 @@ RobotType sensingRobot() {
 std::vector<std::shared_ptr<const Controller>> builtIn() {
     std::vector<StampedCommand> script;
     for (int i = 0; i < 300; ++i) script.push_back({i * 77'000'000LL - 400'000'000, {0.3, i % 7 * 0.2 - 0.6}});
-    return {std::make_shared<const CommandPlayer>(script),
-            std::make_shared<const GoToPose>(
-                GoToPose::Options{.targets = {{1, 1, 0}, {5, 3, 2}}, .loop = true, .backwards = true}),
-            std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {6, 2}}),
-            std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {0, 2}}),
-            std::make_shared<const Wander>(Wander::Options{}),
-            std::make_shared<const DynamicWindow>(DynamicWindow::Options{
-                .waypoints = {{1, 3}, {5, 1}}, .loop = true, .sensors = obstacleSensors(sensingRobot())})};
+    return {
+        std::make_shared<const CommandPlayer>(script),
+        std::make_shared<const GoToPose>(
+            GoToPose::Options{.targets = {{1, 1, 0}, {5, 3, 2}}, .loop = true, .backwards = true}),
+        std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {6, 2}}),
+        std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {0, 2}}),
+        std::make_shared<const Wander>(Wander::Options{}),
+        std::make_shared<const Navigate>(Navigate::Options{.target = {1, 2.5, 1}, .repair = Repair::temporaryTarget}),
+        std::make_shared<const DynamicWindow>(DynamicWindow::Options{
+            .waypoints = {{1, 3}, {5, 1}}, .loop = true, .sensors = obstacleSensors(sensingRobot())})};
 }
 
 Scenario allRobots() {

@@ -276,6 +276,32 @@ ahead = '(function() local n = 0 for i = 1, #object do n = n + object[i].x end r
     EXPECT_EQ(counts.size(), 3u);
 }
 
+TEST_F(ExperimentTest, VariantsMaySetWhatIsOfABodyThatIsLeftOut) {
+    const Experiment boxes = experiment(R"(trials = 12
+[[draw]]
+name = "boxes"
+bodies = ["box 1", "box 2"]
+[[variant]]
+name = "as it is"
+[[variant]]
+name = "nearer"
+set = { "object[1].start.x_m" = 1.25, "object[2].start.x_m" = 1.25 }
+[measures]
+count = '#object'
+x = '(function() local n = 0 for i = 1, #object do n = n + object[i].x end return n end)()'
+)");
+    ASSERT_TRUE(run(boxes));
+    std::map<std::string, int> counts;
+    for (const auto& row : rows()) {
+        EXPECT_EQ(row.at("measure.count"), row.at("draw.boxes"));
+        ++counts[row.at("draw.boxes")];
+        if (row.at("variant") == "2") {
+            EXPECT_NEAR(number(row.at("measure.x")), 1.25 * number(row.at("draw.boxes")), 0.05);
+        }
+    }
+    EXPECT_EQ(counts.size(), 3u);
+}
+
 TEST_F(ExperimentTest, StartsThatOverlapOrAreNotWantedAreDrawnAgain) {
     const Experiment wanted = experiment(R"(trials = 40
 require = 'robot[1].x > 0'
