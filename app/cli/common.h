@@ -46,6 +46,7 @@ Subcommand addReplay(CLI::App& app, CommonFlags& flags);
 Subcommand addBatch(CLI::App& app, CommonFlags& flags);
 Subcommand addExperiment(CLI::App& app, CommonFlags& flags);
 Subcommand addLearn(CLI::App& app, CommonFlags& flags);
+Subcommand addTune(CLI::App& app, CommonFlags& flags);
 Subcommand addCompare(CLI::App& app, CommonFlags& flags);
 
 /// A subcommand with --quiet, --json and, below its options, examples.

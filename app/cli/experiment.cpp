@@ -5,6 +5,7 @@
 #include "plugins.h"
 #include "report/program_json.h"
 #include "run_count.h"
+#include "scenario_flags.h"
 #include "workflow/run_experiment.h"
 
 namespace mrose::cli {
@@ -72,9 +73,7 @@ Subcommand addExperiment(CLI::App& app, CommonFlags& common) {
         ->check(someName());
     sub->add_option("--trials", request->trials, "How many; otherwise as many as the file says")
         ->check(CLI::Range(std::int64_t{1}, mostRuns));
-    sub->add_option("--set", request->overrides, "Overrides something in the scenario: PATH=VALUE")
-        ->type_name("PATH=VALUE")
-        ->allow_extra_args(false);
+    addChangeFlags(*sub, request->settings, request->overrides);
     addPluginFlags(*sub, request->plugins);
     sub->add_option("-o,--output", request->folder, "The folder for results.csv")->required()->check(someName());
     return {sub, [request, &common] { return runIt(*request, common); }};

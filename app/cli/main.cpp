@@ -33,8 +33,8 @@ int runProgram(int argc, char** argv) {
     const Subcommand subcommands[] = {addInspect(app, flags),    addTrain(app, flags),    addEvaluate(app, flags),
                                       addPredict(app, flags),    addGenerate(app, flags), addShapes(app, flags),
                                       addRun(app, flags),        addReplay(app, flags),   addBatch(app, flags),
-                                      addExperiment(app, flags), addLearn(app, flags),    addCompare(app, flags),
-                                      addPluginHost(app)};
+                                      addExperiment(app, flags), addLearn(app, flags),    addTune(app, flags),
+                                      addCompare(app, flags),    addPluginHost(app)};
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");

@@ -89,6 +89,10 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
            "Start as this trial of a batch or an experiment does; 0: as the scenario says, the experiment's first")
         ->check(someTrial());
     app.add_option("--variant", line.variant, "Which variant of an experiment")->check(someName());
+    app.add_option("--settings", line.settings,
+                   "Puts the values of this file, such as `mrose tune` makes, into the scenario, before --set")
+        ->check(someName())
+        ->allow_extra_args(false);
     app.add_option("--set", line.overrides, "Overrides something in the scenario: PATH=VALUE")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);

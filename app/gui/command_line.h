@@ -19,6 +19,7 @@ struct CommandLine {
     std::uint32_t trial = 0;
     std::string variant;
     std::vector<std::string> overrides;
+    std::vector<std::string> settings;
     std::string log;
     std::optional<double> start, every;  ///< s, of the log
     bool windows = false;

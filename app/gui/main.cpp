@@ -50,7 +50,8 @@ OpenRequest requestOf(const CommandLine& line) {
             line.log,
             line.pluginLimit,
             line.variant,
-            line.overrides};
+            line.overrides,
+            line.settings};
 }
 
 /// A log given as FILE or with --log is laid over its simulation; --run and recordings are opened as they are.

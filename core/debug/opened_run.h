@@ -23,6 +23,7 @@ struct OpenRequest {
     double pluginLimit = 2;                   ///< s, for each decision of a plug-in
     std::string variant = {};                 ///< of an experiment, whose trial it is; empty: the first
     std::vector<std::string> overrides = {};  ///< "PATH=VALUE", in the scenario
+    std::vector<std::string> settings = {};   ///< files whose values are put into it before
 };
 
 /// What a debugger is given to go through.

@@ -8,45 +8,12 @@
 
 #include "experiment/batch.h"
 #include "experiment/experiment_row.h"
-#include "experiment/trial.h"
+#include "experiment/trial_run.h"
 #include "io/shell_quoted.h"
 #include "learning/parallel_for.h"
 
 namespace mrose {
 namespace {
-
-/// What one thread at a time works with.
-struct Workplace {
-    TrialExpressions expressions;
-    TrialMaker maker;
-    Workplace(const Experiment& experiment, const ScenarioLoading& loading)
-        : expressions(experiment), maker(experiment, expressions, loading) {}
-};
-
-/// As many as there are threads that ask at once.
-class Workplaces {
-public:
-    Workplaces(const Experiment& experiment, const ScenarioLoading& loading)
-        : experiment_(experiment), loading_(loading) {}
-
-    std::unique_ptr<Workplace> take() {
-        const std::lock_guard lock(mutex_);
-        if (free_.empty()) return std::make_unique<Workplace>(experiment_, loading_);
-        auto place = std::move(free_.back());
-        free_.pop_back();
-        return place;
-    }
-    void giveBack(std::unique_ptr<Workplace> place) {
-        const std::lock_guard lock(mutex_);
-        free_.push_back(std::move(place));
-    }
-
-private:
-    const Experiment& experiment_;
-    const ScenarioLoading& loading_;
-    std::mutex mutex_;
-    std::vector<std::unique_ptr<Workplace>> free_;
-};
 
 class ExperimentRunner {
 public:
@@ -116,37 +83,15 @@ private:
 
     Expected<std::string> rowOf(Workplace& place, const Scenario& scenario, const DrawnValues& drawn,
                                 const RunKey& key) {
-        const WorldState start = scenario.initialState(key.seed);
-        std::vector<RobotInsight> none(start.robots.size());
-        const Moment atStart{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
-        const auto expressions = place.expressions.of(atStart);
-        if (!expressions) return tl::unexpected(expressions.error());
-        const std::int64_t every = ticksBetweenLooks(experiment_, scenario.scene());
-        TrialMeasurement measurement(experiment_, **expressions, every * scenario.scene().tickLength);
-        if (const auto begun = measurement.begin(atStart); !begun) return tl::unexpected(begun.error());
-        RunOptions options;
-        options.duration = scenario.parts().duration;
-        options.endOnFault = true;
-        options.watchFollows = (*expressions)->follows;
-        options.every = every;
-        options.drawn = &drawn;
-        options.watch = [&](const Moment& at) { return measurement.look(at); };
-        std::optional<Error> wrong;
-        options.finally = [&](const Moment& at) {
-            if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
-        };
-        options.each = [this](const WorldState&, const StepTrace&) {
-            return !stop_ && (!options_.goesOn || options_.goesOn());
-        };
-        const auto result = run(scenario, start, options);
-        if (!result) return tl::unexpected(result.error());
-        if (wrong) return tl::unexpected(*wrong);
-        if (result->end == RunEnd::stopped) stop_ = true;
+        const auto measured = measuredRun(experiment_, place.expressions, scenario, drawn, key.seed,
+                                          [this] { return !stop_ && (!options_.goesOn || options_.goesOn()); });
+        if (!measured) return tl::unexpected(measured.error());
+        if (measured->result.end == RunEnd::stopped) stop_ = true;
         std::string flags = " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
         if (const std::string& variant = experiment_.variants[key.variant - 1].name; !variant.empty())
             flags += " --variant " + shellQuoted(variant);
-        return experimentRow(experiment_, key, drawn, measurement, *result, scenario.scene().tickLength,
-                             {options_.command + flags, options_.window + flags});
+        return experimentRow(experiment_, key, drawn, measured->measurement, measured->result,
+                             scenario.scene().tickLength, {options_.command + flags, options_.window + flags});
     }
 
     void fail(const Error& error) {
@@ -176,10 +121,6 @@ bool isAsked(const RunKey& key, const Experiment& experiment) {
 }
 
 }  // namespace
-
-std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene) {
-    return std::max<std::int64_t>(1, experiment.every / scene.tickLength);
-}
 
 Expected<ExperimentSummary> runExperiment(const Experiment& experiment, const ExperimentOptions& options,
                                           const std::filesystem::path& folder) {

@@ -52,9 +52,6 @@ struct ExperimentSummary {
     bool complete = false;  ///< results.csv is there
 };
 
-/// How often a run of a trial is looked at, in its ticks.
-std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene);
-
 /// Runs what is not done yet, each trial with each seed by each variant. A row is kept at once in
 /// `folder`/results.part.csv; when all are done, results.csv has them in order. It is the same for any number of
 /// threads. A run ends by `until`, at a fault, or after the experiment's duration; what was wrong is in its row. Error:

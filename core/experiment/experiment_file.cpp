@@ -9,6 +9,7 @@
 
 #include "scenario/description_library.h"
 #include "scenario/description_reader.h"
+#include "scenario/settings_file.h"
 #include "scenario/value_file.h"
 
 namespace mrose {
@@ -217,6 +218,23 @@ private:
         }
     }
 
+    void readSettingsOf(TomlTable& table, Variant& variant) {
+        const Value::File file =
+            library_.file(table, "settings", file_->name, "resources/experiments", DescriptionLibrary::Holds::tables);
+        if (!file) return;
+        const auto settings = readSettings(file->content, library_.shown(file->name));
+        if (!settings) return root_.adopt(settings.error());
+        const auto with = settings->putInto(experiment_.scenario);
+        if (!with) return root_.adopt(with.error());
+        const auto loaded = loadScenario(*with, library_, loading_);
+        if (!loaded) return root_.adopt(settings->placed(loaded.error(), *with));
+        for (const auto& [path, value] : settings->set) {
+            const Value* const there = loaded->value.at(path);
+            variant.set.emplace_back(path, there != nullptr ? *there : value);
+        }
+        experiment_.settings.push_back(file);
+    }
+
     void readVariant(TomlTable& table) {
         Variant variant;
         variant.name = name(table, "name");
@@ -224,6 +242,7 @@ private:
         const bool taken =
             std::ranges::any_of(experiment_.variants, [&](const Variant& other) { return other.name == variant.name; });
         if (taken) table.reject("name", "is the name of another variant, too");
+        if (table.has("settings")) readSettingsOf(table, variant);
         TomlTable sets = table.tableOrEmpty("set");
         const Value* const named = table.has("set") ? table.value("set") : nullptr;
         if (named != nullptr && named->asTable() != nullptr)

@@ -71,8 +71,8 @@ struct Feature {
 /// Another way to do the same trials: what it sets in the scenario, after all draws.
 struct Variant {
     std::string name;
-    std::uint32_t line = 0, column = 0;  ///< where its name stands
-    std::vector<std::pair<std::string, Value>> set;
+    std::uint32_t line = 0, column = 0;              ///< where its name stands
+    std::vector<std::pair<std::string, Value>> set;  ///< of its settings file first
 };
 
 /// Many trials of a scenario: what varies, what is asked at their starts, when they end, and what is measured
@@ -86,7 +86,8 @@ struct Experiment {
     Nanoseconds every = 0;    ///< how often a trial is looked at; a tick where it is 0
     FileExpression require, until;
     std::vector<Draw> draws;
-    std::vector<Variant> variants;  ///< at least one; without any in the file one without a name
+    std::vector<Variant> variants;      ///< at least one; without any in the file one without a name
+    std::vector<Value::File> settings;  ///< files that variants name
     std::vector<Feature> features;
     std::vector<Measure> measures;
 };

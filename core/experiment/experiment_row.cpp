@@ -71,6 +71,18 @@ std::string experimentRow(const Experiment& experiment, const RunKey& key, const
            csvCell(commands.window + " --at " + time) + ',' + csvCell(result.statistics.firstFault);
 }
 
+RowOutcome rowOutcome(const Experiment& experiment, const std::string& row) {
+    const std::vector<std::string> cells = resultsCells(row);
+    const std::size_t first = firstDrawCell + experiment.draws.size() + experiment.features.size();
+    RowOutcome outcome{cells.size() > experimentEndCell && cells[experimentEndCell] == name(RunEnd::fault), {}};
+    for (std::size_t i = first; i < first + experiment.measures.size(); ++i) {
+        double value = std::nan("");
+        if (i < cells.size()) std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
+        outcome.measures.push_back(value);
+    }
+    return outcome;
+}
+
 std::vector<VariantSummary> summarised(const Experiment& experiment, const std::map<RunKey, std::string>& rows) {
     std::vector<VariantSummary> summaries;
     for (const Variant& variant : experiment.variants) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenario/error_place.h"
 #include "scenario/start_check.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -18,17 +19,6 @@ constexpr std::uint64_t drawSeed = 0x6578706572696d65;
 double within(const Draw& draw, double u) {
     if (!draw.whole && draw.kind != Draw::Kind::bodies) return draw.least + u * (draw.most - draw.least);
     return draw.least + std::floor(u * (draw.most - draw.least + 1));
-}
-
-/// Whether `key`, as an error names it, is at a path or within what stands there.
-bool isWithin(const ScenarioValue& value, std::string key, const std::string& path) {
-    const Value* const there = value.at(path);
-    while (there != nullptr && value.at(key) != there) {
-        const std::size_t dot = key.rfind('.');
-        if (dot == std::string::npos) return false;
-        key.resize(dot);
-    }
-    return there != nullptr;
 }
 
 std::string who(std::uint32_t number) { return " (trial " + std::to_string(number) + ')'; }

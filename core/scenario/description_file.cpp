@@ -39,6 +39,10 @@ Expected<Description> loadDescription(const std::string& name, DescriptionSource
             return fail(shown, "describes a sensor, which robot files name by `preset`; expected another description");
         case DescriptionKind::experiment:
             return fail(shown, "describes an experiment, which mrose experiment runs; expected another description");
+        case DescriptionKind::tuning:
+            return fail(shown, "describes a tuning, which mrose tune runs; expected another description");
+        case DescriptionKind::settings:
+            return fail(shown, "holds settings, for --settings; expected another description");
         case DescriptionKind::scenario:
             break;
     }

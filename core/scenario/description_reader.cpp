@@ -11,8 +11,9 @@
 namespace mrose {
 namespace {
 
-constexpr std::array<std::string_view, 6> formats{"mrose shape",    "mrose environment", "mrose robot",
-                                                  "mrose scenario", "mrose sensor",      "mrose experiment"};
+constexpr std::array<std::string_view, 8> formats{"mrose shape",    "mrose environment", "mrose robot",
+                                                  "mrose scenario", "mrose sensor",      "mrose experiment",
+                                                  "mrose tuning",   "mrose settings"};
 constexpr std::int64_t formatVersion = 1;
 
 std::optional<Colour> parseColour(std::string_view text) {

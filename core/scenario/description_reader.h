@@ -15,7 +15,7 @@ namespace mrose {
 // What description files have in common.
 
 /// Kinds of description files; `format = "mrose shape"` in a file says which it is.
-enum class DescriptionKind { shape, environment, robot, scenario, sensor, experiment };
+enum class DescriptionKind { shape, environment, robot, scenario, sensor, experiment, tuning, settings };
 
 /// The root of a file of the given kind; anything else is remembered as its error.
 TomlTable openDescription(const Value& content, const std::string& file, DescriptionKind kind);

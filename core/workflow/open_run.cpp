@@ -68,6 +68,7 @@ Expected<OpenedRun> openToRun(const OpenRequest& request, const OpenProgress& pr
     wanted.trial = request.trial;
     wanted.variant = request.variant;
     wanted.overrides = request.overrides;
+    wanted.settings = request.settings;
     wanted.plugins.isolate = false;  // who loads it does that
     wanted.plugins.load = [load = isolating(request, progress)](const std::string& path, const std::string& options,
                                                                 double) { return load(path, options); };

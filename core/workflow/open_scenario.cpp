@@ -5,11 +5,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "experiment/experiment.h"
 #include "experiment/trial.h"
+#include "experiment/trial_run.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "io/shell_quoted.h"
+#include "scenario/settings_file.h"
 #include "scenario/start_check.h"
 #include "scenario/variation.h"
 #include "workflow/resources.h"
@@ -63,13 +64,34 @@ Expected<ScenarioValue> overridden(ScenarioValue value, const std::vector<std::s
     return value;
 }
 
-/// With what is overridden; plug-ins are loaded once, when it is.
+/// With the values of settings files, each seen to fit.
+Expected<ScenarioValue> withSettings(ScenarioValue value, const std::vector<std::string>& files,
+                                     DescriptionSource& source) {
+    constexpr std::string_view folders[] = {"resources/experiments"};
+    DescriptionLibrary library(source);
+    for (const std::string& name : files) {
+        const auto file = library.file(name, folders);
+        if (!file) return tl::unexpected(file.error());
+        const auto settings = readSettings((*file)->content, library.shown((*file)->name));
+        if (!settings) return tl::unexpected(settings.error());
+        auto with = settings->putInto(value);
+        if (!with) return with;
+        const auto loaded = loadScenario(*with, library, {.checkStarts = false});
+        if (!loaded) return tl::unexpected(settings->placed(loaded.error(), *with));
+        value = loaded->value;
+    }
+    return value;
+}
+
+/// With what is set and overridden; plug-ins are loaded once, when it is.
 Expected<LoadedScenario> loadOverridden(const ScenarioRequest& request, DescriptionSource& source,
                                         const PluginLoader& plugins) {
-    if (request.overrides.empty()) return loadScenario(request.file, source, {plugins});
+    if (request.overrides.empty() && request.settings.empty()) return loadScenario(request.file, source, {plugins});
     auto loaded = loadScenario(request.file, source);
     if (!loaded) return loaded;
-    const auto value = overridden(std::move(loaded->value), request.overrides);
+    const auto set = withSettings(std::move(loaded->value), request.settings, source);
+    if (!set) return tl::unexpected(set.error());
+    const auto value = overridden(*set, request.overrides);
     if (!value) return tl::unexpected(value.error());
     return loadScenario(*value, source, {plugins});
 }
@@ -122,14 +144,17 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
 
 Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file,
                                                          const std::vector<std::string>& overrides,
-                                                         DescriptionSource& source) {
+                                                         DescriptionSource& source,
+                                                         const std::vector<std::string>& settings) {
     constexpr std::string_view folders[] = {"resources/experiments", "resources/scenarios"};
     const auto found = DescriptionLibrary(source).file(file, folders);
     if (!found || !isExperiment((*found)->content)) return std::optional<OpenedExperiment>();
     auto experiment = readExperiment(*found, source);
     if (!experiment) return tl::unexpected(experiment.error());
-    if (!overrides.empty()) {
-        auto value = overridden(std::move(experiment->scenario), overrides);
+    if (!overrides.empty() || !settings.empty()) {
+        auto set = withSettings(std::move(experiment->scenario), settings, source);
+        if (!set) return tl::unexpected(set.error());
+        auto value = overridden(std::move(*set), overrides);
         if (!value) return tl::unexpected(value.error());
         auto loaded = loadScenario(*value, source, {.checkStarts = false});
         if (!loaded) return tl::unexpected(loaded.error());
@@ -151,7 +176,7 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
         if (const auto content = readFile(path)) hashes[path] = contentHash(*content);
         return load(path, options);
     };
-    const auto experiment = openExperiment(request.file, request.overrides, source);
+    const auto experiment = openExperiment(request.file, request.overrides, source, request.settings);
     if (!experiment) return tl::unexpected(experiment.error());
     std::optional<OpenedTrial> trial;
     Expected<LoadedScenario> loaded;

@@ -23,6 +23,7 @@ struct ScenarioRequest {
     std::uint32_t trial = 0;
     std::string variant = {};  ///< of an experiment; empty: the first
     PluginUse plugins = {};
+    std::vector<std::string> settings = {};  ///< files whose values are put into the scenario before `overrides`
 };
 
 /// What an experiment says of one of its trials beside the scenario.
@@ -57,7 +58,8 @@ struct OpenedExperiment {
 /// nullopt: `file` describes something else, or there is none. Error: the first thing wrong in it.
 Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file,
                                                          const std::vector<std::string>& overrides,
-                                                         DescriptionSource& source);
+                                                         DescriptionSource& source,
+                                                         const std::vector<std::string>& settings = {});
 
 /// A sentence for each body that starts outside the walls, of the first ten: most are a mistake.
 std::vector<std::string> startsOutsideText(const Scene& scene);

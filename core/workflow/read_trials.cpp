@@ -71,6 +71,7 @@ std::optional<TrialRow> rowOf(std::vector<std::string> cells, const Columns& col
     for (std::size_t i = 3; i + 1 < words.size(); ++i) {
         if (words[i] == "--log") row.request.log = found(words[i + 1], path);
         if (words[i] == "--variant") row.request.variant = words[i + 1];
+        if (words[i] == "--settings") row.request.settings.push_back(found(words[i + 1], path));
         if (words[i] == "--set") row.request.overrides.push_back(words[i + 1]);
     }
     row.cells = std::move(cells);

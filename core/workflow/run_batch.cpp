@@ -18,6 +18,7 @@ std::string runCommand(const BatchRequest& request, Nanoseconds duration) {
     const ScenarioRequest& scenario = request.scenario;
     std::string command = "mrose run " + shellQuoted(scenario.file);
     if (!scenario.log.empty()) command += " --log " + shellQuoted(scenario.log);
+    for (const std::string& file : scenario.settings) command += " --settings " + shellQuoted(file);
     for (const std::string& assignment : scenario.overrides) command += " --set " + shellQuoted(assignment);
     if (scenario.plugins.isolate) command += " --isolate";
     if (scenario.plugins.limit != PluginUse().limit) command += " --plugin-limit " + numberText(scenario.plugins.limit);

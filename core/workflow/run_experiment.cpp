@@ -21,6 +21,7 @@ namespace {
 /// What runs of an experiment are repeated by, but for their trials, seeds and variants.
 std::string repeated(const std::string& program, const ExperimentRequest& request) {
     std::string command = program + ' ' + shellQuoted(request.file);
+    for (const std::string& file : request.settings) command += " --settings " + shellQuoted(file);
     for (const std::string& assignment : request.overrides) command += " --set " + shellQuoted(assignment);
     return command;
 }
@@ -40,6 +41,7 @@ BatchIdentity identityOf(const Value& content, const Experiment& experiment, con
     identity[of + "the experiment"] = hexadecimal(hashOf(content.without("trials").without("seeds")));
     for (const Value::File& file : experiment.scenario.files())
         identity[of + file->name] = hexadecimal(hashOf(file->content));
+    for (const Value::File& file : experiment.settings) identity[of + file->name] = hexadecimal(hashOf(file->content));
     return identity;
 }
 
@@ -47,7 +49,7 @@ BatchIdentity identityOf(const Value& content, const Experiment& experiment, con
 
 Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, const ExperimentWatch& watch) {
     DiskDescriptions source = openDescriptions();
-    auto opened = openExperiment(request.file, request.overrides, source);
+    auto opened = openExperiment(request.file, request.overrides, source, request.settings);
     if (!opened) return tl::unexpected(opened.error());
     if (!*opened) {
         // Why it is none, its reader says; what was read once may be there no more.

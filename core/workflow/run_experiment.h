@@ -19,6 +19,7 @@ struct ExperimentRequest {
     std::optional<std::uint32_t> trials = {};
     std::vector<std::string> overrides = {};  ///< of its scenario, as of ScenarioRequest
     PluginUse plugins = {};
+    std::vector<std::string> settings = {};  ///< likewise
 };
 
 /// How it is watched and ended; see ExperimentOptions. Each may be empty.

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "experiment/experiment_file.h"
+#include "experiment/run.h"
+#include "experiment/trial.h"
+#include "experiment/trial_expressions.h"
+#include "io/error.h"
+#include "io/progress.h"
+
+namespace mrose {
+
+/// What one thread at a time makes and measures the trials of an experiment with.
+struct Workplace {
+    TrialExpressions expressions;
+    TrialMaker maker;
+    Workplace(const Experiment& experiment, const ScenarioLoading& loading)
+        : expressions(experiment), maker(experiment, expressions, loading) {}
+};
+
+/// As many as there are threads that ask at once. The experiment and the loading must stay where they are.
+class Workplaces {
+public:
+    Workplaces(const Experiment& experiment, const ScenarioLoading& loading)
+        : experiment_(experiment), loading_(loading) {}
+
+    std::unique_ptr<Workplace> take();
+    void giveBack(std::unique_ptr<Workplace> place);
+
+private:
+    const Experiment& experiment_;
+    const ScenarioLoading& loading_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Workplace>> free_;
+};
+
+/// How often a run of a trial is looked at, in its ticks.
+std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene);
+
+struct MeasuredRun {
+    RunResult result;
+    TrialMeasurement measurement;
+};
+/// Runs a variant of a trial with a seed, until it is over. `goesOn` is asked after every tick; may be empty. Error: an
+/// expression cannot be answered.
+Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const Scenario& scenario,
+                                  const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn);
+
+}  // namespace mrose

@@ -1,0 +1,51 @@
+#include "scenario/settings_file.h"
+
+#include "scenario/description_reader.h"
+#include "scenario/error_place.h"
+
+namespace mrose {
+namespace {
+
+Error settingError(const Settings& settings, const std::string& path, const Value& value, std::string cause) {
+    return {settings.file, static_cast<int>(value.line), static_cast<int>(value.column), path, std::move(cause)};
+}
+
+}  // namespace
+
+Expected<ScenarioValue> Settings::putInto(const ScenarioValue& value) const {
+    ScenarioValue with = value;
+    for (const auto& [path, setting] : set) {
+        auto changed = with.with(path, setting);
+        if (!changed) return tl::unexpected(settingError(*this, path, setting, changed.error().cause));
+        with = std::move(*changed);
+    }
+    return with;
+}
+
+Error Settings::placed(const Error& error, const ScenarioValue& with) const {
+    for (const auto& [path, setting] : set)
+        if (isWithin(with, error.key, path))
+            return settingError(*this, path, setting, (error.key == path ? "" : error.key + ": ") + error.cause);
+    return error;
+}
+
+Expected<Settings> readSettings(const Value& content, const std::string& file) {
+    TomlTable root = openDescription(content, file, DescriptionKind::settings);
+    Settings settings{file, root.stringOr("name", ""), {}};
+    TomlTable set = root.table("set");
+    const Value* const named = root.has("set") ? root.value("set") : nullptr;
+    if (named != nullptr && named->asTable() != nullptr)
+        for (const auto& [path, value] : *named->asTable()) {
+            set.value(path);
+            for (const char* const own : {"seed", "duration_s", "name", "format", "version"})
+                if (path == own) set.reject(path, "is nothing that settings may set");
+            settings.set.emplace_back(path, value);
+        }
+    if (settings.set.empty()) root.reject("set", "expected at least one path with its value");
+    if (root.has("evidence")) root.table("evidence");
+    root.rejectUnknown();
+    if (root.failed()) return tl::unexpected(root.error());
+    return settings;
+}
+
+}  // namespace mrose

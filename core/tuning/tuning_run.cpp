@@ -1,0 +1,208 @@
+#include "tuning/tuning_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "experiment/experiment_row.h"
+#include "experiment/trial_run.h"
+#include "io/format.h"
+#include "io/shell_quoted.h"
+#include "io/toml_text.h"
+#include "learning/parallel_for.h"
+
+namespace mrose {
+namespace {
+
+std::string candidateName(std::size_t candidate) { return "candidate " + std::to_string(candidate + 1); }
+
+/// Runs of candidates, on any thread.
+class CandidateRuns {
+public:
+    CandidateRuns(const Tuning& tuning, const TuningOptions& options, ResultsFile& file)
+        : tuning_(tuning),
+          options_(options),
+          file_(file),
+          experiment_(tuning.experiment),
+          named_(tuning.experiment),
+          places_(experiment_, options.loading) {
+        named_.variants.clear();
+    }
+
+    /// As of TrialCosts.
+    Expected<std::vector<double>> costs(std::size_t candidate, const std::vector<double>& values, std::uint32_t first,
+                                        std::uint32_t count) {
+        begin(candidate, values);
+        std::vector<std::uint32_t> missing;
+        for (std::uint32_t trial = first; trial < first + count; ++trial)
+            if (!isDone(trial)) missing.push_back(trial);
+        parallelFor(missing.size(), [&](std::size_t i) {
+            if (stop_) return;
+            auto place = places_.take();
+            runTrial(*place, missing[i]);
+            places_.giveBack(std::move(place));
+        });
+        if (error_) return tl::unexpected(*error_);
+        if (stop_) return std::vector<double>();
+        std::vector<double> all;
+        for (std::uint32_t trial = first; trial < first + count; ++trial) {
+            const auto cost = costOf(trial);
+            if (!cost) return tl::unexpected(cost.error());
+            all.push_back(*cost);
+        }
+        progress(count - static_cast<std::int64_t>(missing.size()));
+        return all;
+    }
+
+    void best(double cost) { best_ = cost; }
+
+private:
+    void begin(std::size_t candidate, const std::vector<double>& values) {
+        number_ = static_cast<std::uint32_t>(candidate) + 1;
+        if (named_.variants.size() < number_) named_.variants.resize(number_);
+        named_.variants[candidate].name = candidateName(candidate);
+        Variant& variant = experiment_.variants.front();
+        variant = tuning_.experiment.variants.front();
+        changes_.clear();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const TunedParameter& parameter = tuning_.options.parameters[i];
+            const Value value = parameterValue(parameter, values[i]);
+            for (const std::string& path : parameter.paths) {
+                variant.set.emplace_back(path, value);
+                changes_ += " --set " +
+                            shellQuoted(path + '=' +
+                                        (parameter.whole ? std::to_string(*value.asInteger()) : numberText(values[i])));
+            }
+        }
+    }
+
+    RunKey keyOf(std::uint32_t trial, std::uint32_t k) const { return {trial, experiment_.seed + k, number_}; }
+    bool isDone(std::uint32_t trial) const {
+        for (std::uint32_t k = 0; k < experiment_.seeds; ++k)
+            if (!file_.has(keyOf(trial, k))) return false;
+        return true;
+    }
+
+    void runTrial(Workplace& place, std::uint32_t number) {
+        auto trial = place.maker.make(number);
+        if (!trial) return fail(trial.error());
+        ScenarioParts& parts = trial->scenarios.front().parts;
+        if (options_.loaded) options_.loaded(parts);
+        const Scenario scenario(std::move(parts));
+        for (std::uint32_t k = 0; k < experiment_.seeds && !stop_; ++k) {
+            const RunKey key = keyOf(number, k);
+            {
+                const std::lock_guard lock(mutex_);
+                if (file_.has(key)) continue;
+            }
+            if (options_.begins) options_.begins(key);
+            const auto measured = measuredRun(experiment_, place.expressions, scenario, trial->drawn, key.seed,
+                                              [this] { return !stop_ && (!options_.goesOn || options_.goesOn()); });
+            if (!measured) return fail(measured.error());
+            if (measured->result.end == RunEnd::stopped) stop_ = true;
+            const std::lock_guard lock(mutex_);
+            if (stop_) return;
+            if (const auto kept = file_.add(key, rowOf(key, trial->drawn, *measured, scenario)); !kept)
+                return failNow(kept.error());
+        }
+        progress(1);
+    }
+
+    std::string rowOf(const RunKey& key, const DrawnValues& drawn, const MeasuredRun& measured,
+                      const Scenario& scenario) const {
+        std::string flags = changes_ + " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
+        if (const std::string& variant = tuning_.experiment.variants.front().name; !variant.empty())
+            flags += " --variant " + shellQuoted(variant);
+        return experimentRow(named_, key, drawn, measured.measurement, measured.result, scenario.scene().tickLength,
+                             {options_.command + flags, options_.window + flags});
+    }
+
+    /// The mean of a trial's seeds.
+    Expected<double> costOf(std::uint32_t trial) const {
+        double sum = 0;
+        for (std::uint32_t k = 0; k < experiment_.seeds; ++k) {
+            const RowOutcome outcome = rowOutcome(experiment_, file_.rows().at(keyOf(trial, k)));
+            double cost = 0;
+            for (const CostTerm& term : tuning_.cost) cost += term.weight * outcome.measures[term.measure];
+            const bool failed = outcome.faulty || !std::isfinite(cost);
+            if (failed && !tuning_.failureCost)
+                return tl::unexpected(Error{
+                    tuning_.file, static_cast<int>(tuning_.costLine), static_cast<int>(tuning_.costColumn), "cost",
+                    std::string(outcome.faulty ? "a fault ended" : "is no number in") + " trial " +
+                        std::to_string(trial) + " of candidate " + std::to_string(number_) +
+                        "; expected `failure_cost`, what such a run costs"});
+            sum += failed ? *tuning_.failureCost : cost;
+        }
+        return sum / experiment_.seeds;
+    }
+
+    void progress(std::int64_t more) {
+        const std::lock_guard lock(progressMutex_);
+        done_ += more;
+        if (options_.progress && more > 0) options_.progress(done_, all(), best_);
+    }
+    std::int64_t all() const { return tuning_.options.evaluations + 2 * std::int64_t{tuning_.options.heldOut}; }
+
+    void fail(const Error& error) {
+        const std::lock_guard lock(mutex_);
+        failNow(error);
+    }
+    void failNow(const Error& error) {
+        if (!error_) error_ = error;
+        stop_ = true;
+    }
+
+    const Tuning& tuning_;
+    const TuningOptions& options_;
+    ResultsFile& file_;
+    Experiment experiment_;  ///< its variant is the candidate that is run
+    Experiment named_;       ///< its variants are all candidates, by name
+    Workplaces places_;
+    std::uint32_t number_ = 0;  ///< of the candidate that is run, from 1
+    std::string changes_;       ///< its values, as flags
+    std::mutex mutex_, progressMutex_;
+    std::atomic<bool> stop_{false};
+    std::optional<Error> error_;
+    std::int64_t done_ = 0;
+    double best_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace
+
+Expected<TuningSummary> runTuning(const Tuning& tuning, const TuningOptions& options,
+                                  const std::filesystem::path& folder) {
+    {
+        TrialExpressions expressions(tuning.experiment);
+        TrialMaker maker(tuning.experiment, expressions, options.loading);
+        if (const auto fits = maker.check(); !fits) return tl::unexpected(fits.error());
+    }
+    auto file = ResultsFile::open(folder, options.identity, experimentHeader(tuning.experiment));
+    if (!file) return tl::unexpected(file.error());
+    const auto searched = [&](const RunKey& key) { return key.trial <= tuning.options.trials; };
+    std::int64_t before = 0;
+    for (const auto& [key, row] : file->rows()) before += searched(key) ? 1 : 0;
+    if (before > tuning.options.evaluations * tuning.experiment.seeds)
+        return fail(folder.string(),
+                    "holds more evaluations than are asked for now; expected another folder, or more "
+                    "`evaluations`");
+    TuningSummary summary;
+    summary.resumed = static_cast<std::int64_t>(file->rows().size());
+    CandidateRuns runs(tuning, options, *file);
+    auto result = tune(
+        tuning.options,
+        [&](std::size_t candidate, const std::vector<double>& values, std::uint32_t first, std::uint32_t count) {
+            return runs.costs(candidate, values, first, count);
+        },
+        [&](std::int64_t, double best) { runs.best(best); });
+    if (!result) return tl::unexpected(result.error());
+    summary.result = std::move(*result);
+    summary.runs = static_cast<std::int64_t>(file->rows().size());
+    if (summary.result.complete)
+        if (const auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
+    return summary;
+}
+
+}  // namespace mrose
