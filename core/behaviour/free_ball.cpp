@@ -12,11 +12,12 @@
 namespace mrose {
 namespace {
 
-enum FreeingPhase : std::int64_t { looking, goingThere, stroking, gettingOff, freed };
-constexpr std::array freeingNames{"searching", "going to the ball", "", "backing off", "free"};
-constexpr double lookShare = 0.9;  // of the rotation rate
-constexpr double offTurn = 0.6;    // rad, after backing off
-constexpr double near = 0.8;       // m, from a ball that cannot be reached otherwise
+enum FreeingPhase : std::int64_t { looking, goingThere, stroking, gettingOff, freed, turningOut };
+constexpr std::array freeingNames{"searching", "going to the ball", "", "backing off", "free", "sweeping"};
+constexpr double lookShare = 0.9;                          // of the rotation rate
+constexpr double offTurn = 0.6;                            // rad, after backing off
+constexpr double sweepGap = 0.06;                          // m, between front and ball
+constexpr double sweepLasts = 1.5, sweepSpeedShare = 0.5;  // s; of the speed
 
 }  // namespace
 
@@ -27,12 +28,13 @@ struct FreeBall::Memory {
     BallBelief ball;
     WallStroke stroke;
     std::int64_t phase;
-    double turn;  ///< 1 or -1, to the left or right, of searching
+    double turn;  ///< 1 or -1, to the left or right, of searching and sweeping
+    Nanoseconds sweepEnd;
 };
 
 std::size_t FreeBall::memorySize() const {
     static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) +
-                                        sizeof(WallStroke) + 2 * 8,
+                                        sizeof(WallStroke) + 3 * 8,
                   "no padding");
     return sizeof(Memory);
 }
@@ -47,6 +49,7 @@ Command FreeBall::act(const Observation& observation, Memory& memory) const {
         memory.stroke.stop();
         return *back;
     }
+    if (memory.phase == turningOut && observation.time < memory.sweepEnd) return sweeping(memory);
     if (memory.ball.known == 0 && !memory.stroke.strikes()) {
         const bool right = Placement(memory.self.pose).placeBack(memory.ball.position).y < 0;
         if (memory.phase != looking || memory.turn == 0) memory.turn = right ? -1 : 1;
@@ -63,8 +66,26 @@ Command FreeBall::act(const Observation& observation, Memory& memory) const {
         memory.phase = freed;
         return {};
     }
+    return sweep(observation, memory, robot, ball);
+}
+
+/// In a corner there is no room for a stroke: it drives at the ball, and turns with it between the horns.
+Command FreeBall::sweep(const Observation& observation, Memory& memory, const Pose& robot, const Point& ball) const {
+    const WallStroke::Options& stroke = options_.stroke;
+    const Placement frame(robot);
+    const Point ball_B = frame.placeBack(ball);
+    if (ball_B.x > 0 && length(ball_B) < options_.front + stroke.ballRadius + sweepGap) {
+        memory.phase = turningOut;
+        memory.turn = frame.rotateBack(options_.towards - ball).y < 0 ? -1 : 1;
+        memory.sweepEnd = observation.time + fromSeconds(sweepLasts);
+        return sweeping(memory);
+    }
     memory.phase = goingThere;
-    return driveTowards(Placement(robot).placeBack(ball), limits);
+    return driveTowards(ball_B, {stroke.speed, stroke.rotation});
+}
+
+Command FreeBall::sweeping(const Memory& memory) const {
+    return {sweepSpeedShare * options_.stroke.speed, memory.turn * options_.stroke.strokeRotation};
 }
 
 void FreeBall::annotate(const Memory& memory, Decision& decision) const {

@@ -14,6 +14,7 @@ public:
     struct Options {
         WallStroke::Options stroke = {};
         Point towards;          ///< where the ball should rather go, in the world's frame: the field's centre
+        double front = 0.17;    ///< m, of the own front between the horns, from the reference point
         double deadTime = 0.3;  ///< s, by which the robot answers late
         std::shared_ptr<const FloorPlan> walls = std::make_shared<const FloorPlan>();
     };
@@ -27,6 +28,8 @@ public:
 private:
     struct Memory;
     Command act(const Observation& observation, Memory& memory) const;
+    Command sweep(const Observation& observation, Memory& memory, const Pose& robot, const Point& ball) const;
+    Command sweeping(const Memory& memory) const;
     void annotate(const Memory& memory, Decision& decision) const;
 
     Options options_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
@@ -35,6 +36,10 @@ constexpr double backUp = 0.8;                                         // s
 constexpr double spareTime = 1.3;                                      // of the time that a turn takes
 constexpr double roomToTurn = 0.02;                                    // m, less than its reach is enough
 constexpr double sameWall = 0.99;                                      // cosine between walls
+constexpr double closerStep = 0.06;              // m: where there is no room, it stops so much nearer to the ball ...
+constexpr int mostCloserSteps = 3;               // ... and again
+constexpr double narrower = 0.7, strokeWay = 1;  // of the ball's radius; m, that a ball may go
+constexpr double freeWeight = 3, closerCost = 0.15, wishWeight = 0.3, wayWeight = 0.3, stayBonus = 0.3;
 
 Point turnedRight(const Point& p) { return {p.y, -p.x}; }
 
@@ -74,34 +79,35 @@ void WallStroke::begin(std::int64_t next, const Situation& now, double seconds) 
 
 Pose WallStroke::stance(const Point& ball, const Options& options) const {
     const Point along = alongWall(*this);
-    const Point at = ball - options.stopDistance * along + (options.standOff - options.ballRadius) * away;
+    const Point at = ball - (options.stopDistance - closer) * along + (options.standOff - options.ballRadius) * away;
     return {at.x, at.y, wrapAngle(direction(along) - side * options.approach)};
 }
 
-/// Of the walls that the ball lies at and both sides, where there is room for the robot: the one from which the ball
-/// has the freest way and goes rather where it should.
+/// Of the walls that the ball lies at and both sides, where there is room for the robot, nearer to the ball if need be:
+/// the one from which the ball has the freest way and goes rather where it should.
 bool WallStroke::choose(const Situation& now, const Options& options) {
-    const double before = side;
-    double best = -1e9;
-    WallStroke chosen = *this;
+    double best = 0;
+    std::optional<WallStroke> chosen;
+    const Point wanted = now.towards - now.ball;
     for (const FloorPlan::Wall& wall : now.walls.wallsNear(now.ball, beginsWithin(now, options)))
-        for (const double turns : {1.0, -1.0}) {
-            WallStroke candidate = *this;
-            candidate.away = wall.away;
-            candidate.side = turns;
-            const Pose there = candidate.stance(now.ball, options);
-            if (!hasRoom(now, position(there), wall.away, options)) continue;
-            const Point onwards = alongWall(candidate) + wall.away;
-            const double free =
-                now.walls.freeWay(now.ball, (1 / length(onwards)) * onwards, options.ballRadius - 0.03, 0.7);
-            const Point wanted = now.towards - now.ball;
-            const double score = 2 * free + dot(onwards, wanted) / std::max(1e-9, length(wanted)) * 0.3 -
-                                 0.3 * distance(position(now.robot), position(there)) + (turns == before ? 0.1 : 0);
-            if (score > best) best = score, chosen = candidate;
-        }
-    if (best == -1e9) return false;
-    *this = chosen;
-    return true;
+        for (const double turns : {1.0, -1.0})
+            for (int steps = 0; steps <= mostCloserSteps; ++steps) {
+                WallStroke candidate = *this;
+                candidate.away = wall.away;
+                candidate.side = turns;
+                candidate.closer = closerStep * steps;
+                const Point there = position(candidate.stance(now.ball, options));
+                if (!hasRoom(now, there, wall.away, options)) continue;
+                const Point onwards = 1 / std::numbers::sqrt2 * (alongWall(candidate) + wall.away);
+                const double free = now.walls.freeWay(now.ball, onwards, narrower * options.ballRadius, strokeWay);
+                const bool same = side == turns && dot(away, wall.away) > sameWall;
+                const double score = freeWeight * free - candidate.closer / closerStep * closerCost +
+                                     wishWeight * dot(onwards, wanted) / std::max(1e-9, length(wanted)) -
+                                     wayWeight * distance(position(now.robot), there) + (same ? stayBonus : 0);
+                if (!chosen || score > best) best = score, chosen = candidate;
+            }
+    if (chosen) *this = *chosen;
+    return chosen.has_value();
 }
 
 std::optional<Command> WallStroke::update(const Situation& seen, const Options& options) {
@@ -117,11 +123,12 @@ std::optional<Command> WallStroke::update(const Situation& seen, const Options& 
         return std::nullopt;
     }
     if (phase == noStroke || now.time >= until) {
-        if (phase != backing && !choose(now, options)) {
-            phase = noStroke;
-            return std::nullopt;
-        }
+        if (phase != noStroke && phase != backing) side = -side;  // it took too long: rather from the other side
         begin(goingRound, now, approachFor);
+    }
+    if (phase == goingRound && !choose(now, options)) {
+        phase = noStroke;
+        return std::nullopt;
     }
     if (phase == backing) return Command{-backShare * options.speed, 0};
     return approach(now, options);
@@ -154,8 +161,8 @@ Command WallStroke::approach(const Situation& now, const Options& options) {
     const Pose goal = stance(now.ball, options);
     const Placement frame(goal);
     const Point at = frame.placeBack(position(now.robot));
-    if (phase == goingRound && at.x < -options.tolerance && std::abs(at.y) < cone * -at.x + options.tolerance)
-        phase = aligning;
+    const bool inCone = at.x < -options.tolerance && std::abs(at.y) < cone * -at.x + options.tolerance;
+    if (phase == goingRound && (inCone || length(at) < options.tolerance)) phase = aligning;
     if (phase == aligning || phase == onTheSpot) {
         if (const auto command = align(goal, now, options)) return *command;
         begin(backing, now, backUp);
@@ -183,8 +190,8 @@ std::optional<Command> WallStroke::strike(const Situation& now, const Options& o
         ++strokes;
         begin(following, now, options.follow);
     }
-    if (phase == leading) return Command{options.strokeSpeed, 0};
-    if (phase == turning) return Command{options.strokeSpeed, side * options.strokeRotation};
+    if (phase == leading) return Command{options.leadSpeed, 0};
+    if (phase == turning) return Command{options.turnSpeed, side * options.strokeRotation};
     if (now.time < until) return Command{options.speed, 0};
     phase = noStroke;
     return std::nullopt;

@@ -23,16 +23,17 @@ struct WallStroke {
         double rotation = 1;       ///< rad/s, likewise
         double within = 0.1;       ///< m, between wall and ball: it lies there
         // Where it stops: seen along the wall, with the ball ahead.
-        double standOff = 0.36;      ///< m, from the wall to the reference point
-        double stopDistance = 0.36;  ///< m, from there along the wall to the ball's centre
-        double approach = 0.8;       ///< rad, how far it heads into the wall
-        double tolerance = 0.03;     ///< m, beside that place
+        double standOff = 0.34;      ///< m, from the wall to the reference point
+        double stopDistance = 0.35;  ///< m, from there along the wall to the ball's centre
+        double approach = 0.75;      ///< rad, how far it heads into the wall
+        double tolerance = 0.055;    ///< m, beside that place
         // The stroke.
-        double lead = 0.5;              ///< s, forward before it turns
-        double strokeSpeed = 0.37;      ///< m/s, forward meanwhile
+        double lead = 0.55;             ///< s, forward before it turns ...
+        double leadSpeed = 0.39;        ///< m/s, so fast
+        double turnSpeed = 0.39;        ///< m/s, forward while it turns
         double strokeRotation = 1.745;  ///< rad/s
-        double turn = 1.9;              ///< rad, how far
-        double follow = 0.8;            ///< s, forward afterwards, at `speed`
+        double turn = 1.6;              ///< rad, how far
+        double follow = 0.7;            ///< s, forward afterwards, at `speed`
     };
     /// What it goes by: poses and places in the world's frame, when the command takes effect.
     struct Situation {
@@ -47,6 +48,7 @@ struct WallStroke {
     double side;           ///< 1: it turns to the left, the wall being on its right; -1: the other way round
     Point away;            ///< from the wall, length 1
     Point lies;            ///< where the ball lies, smoothed
+    double closer;         ///< m, than the stop distance, where there is no room
     double heading;        ///< rad, at the stroke's begin
     Nanoseconds until;     ///< of the phase, where it has an end by time
     std::int64_t strokes;  ///< how many there were
@@ -67,6 +69,6 @@ private:
     std::optional<Command> strike(const Situation& now, const Options& options);
     void begin(std::int64_t next, const Situation& now, double seconds);
 };
-static_assert(sizeof(WallStroke) == 9 * 8, "without padding");
+static_assert(sizeof(WallStroke) == 10 * 8, "without padding");
 
 }  // namespace mrose

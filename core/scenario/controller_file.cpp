@@ -143,7 +143,12 @@ double mostOf(const Shape& shape, Measure measure) {
     return result;
 }
 
-/// Of a robot with a guide; the options of the stroke.
+/// Whether it has horns, between which a ball comes along.
+bool hasGuide(const Shape& shape, double front) {
+    return mostOf(shape, [](const Point& p) { return p.x; }) > front + leastHorn;
+}
+
+/// How a robot with a guide strikes a ball off a wall.
 WallStroke::Options wallStroke(TomlTable& table, const Context& context) {
     WallStroke::Options options;
     options.reach = context.driven.robot.type.shape->reach;
@@ -153,7 +158,8 @@ WallStroke::Options wallStroke(TomlTable& table, const Context& context) {
     options.approach = angleOr(table, "approach_deg", options.approach, {-90, 90});
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.005, 0.5});
     options.lead = table.numberOr("lead_s", options.lead, {0, 2});
-    options.strokeSpeed = table.numberOr("stroke_speed_mps", options.strokeSpeed, {-1, 1});
+    options.leadSpeed = table.numberOr("lead_speed_mps", options.leadSpeed, {-1, 1});
+    options.turnSpeed = table.numberOr("turn_speed_mps", options.turnSpeed, {-1, 1});
     options.strokeRotation = angleOr(table, "stroke_degps", options.strokeRotation, {10, 720});
     options.turn = angleOr(table, "turn_deg", options.turn, {5, 360});
     options.follow = table.numberOr("follow_s", options.follow, {0, 5});
@@ -172,7 +178,7 @@ ControllerSetting chaseBall(const Context& context) {
         options.front = front;
     const Shape& shape = *context.driven.robot.type.shape;
     options.halfWidth = mostOf(shape, [](const Point& p) { return std::abs(p.y); });
-    options.guide = mostOf(shape, [](const Point& p) { return p.x; }) > options.front + leastHorn;
+    options.guide = hasGuide(shape, options.front);
     if (table.booleanOr("walls", true)) options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     if (table.booleanOr("strokes", options.guide) && options.guide) {
@@ -190,6 +196,10 @@ ControllerSetting freeBall(const Context& context) {
     options.stroke.speed = table.numberOr("speed_mps", options.stroke.speed, speeds);
     options.stroke.rotation = angleOr(table, "rotation_degps", options.stroke.rotation, rotations);
     options.stroke.within = table.numberOr("free_m", 0.3, {0.02, 2});
+    if (const double front = ballContact(*context.driven.robot.type.shape, options.stroke.ballRadius); front > 0)
+        options.front = front;
+    if (!hasGuide(*context.driven.robot.type.shape, options.front))
+        table.reject("kind", "the robot has no ball guide; expected horns that reach 3 cm farther than its front");
     if (table.has("towards_m")) options.towards = point(table, "towards_m", metresFar);
     options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);

@@ -115,7 +115,7 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"dance\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: is \"dance\"; expected one of \"velocity_script\", "
          "\"log_player\", "
-         "\"go_to_pose\", \"chase_ball\", \"wander\", \"dynamic_window\", \"plugin\""},
+         "\"go_to_pose\", \"chase_ball\", \"free_ball\", \"wander\", \"dynamic_window\", \"plugin\""},
         {"{ kind = \"wander\", pace = 1 }",
          "s.toml:22:40: robot[\"two\"].controller.pace: is not a known key; expected one of change_every_s, "
          "dead_time_s, kind, rotation_degps, speed_mps"},
@@ -126,6 +126,12 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"go_to_pose\", targets = [{ x_m = 1 }] }",
          "s.toml:22:48: robot[\"two\"].controller.targets[1].y_m: is missing"},
         {"{ kind = \"chase_ball\" }", "s.toml:22:14: robot[\"two\"].controller.target_m: is missing"},
+        {"{ kind = \"chase_ball\", target_m = [1, 0], stand_off_m = 0.3 }",
+         "s.toml:22:58: robot[\"two\"].controller.stand_off_m: is not a known key; expected one of dead_time_s, kicks, "
+         "kind, rotation_degps, speed_mps, strokes, target_m, walls"},
+        {"{ kind = \"free_ball\" }",
+         "s.toml:22:23: robot[\"two\"].controller.kind: the robot has no ball guide; expected horns that reach 3 cm "
+         "farther than its front"},
         {"{ kind = \"velocity_script\" }", "s.toml:22:14: robot[\"two\"].controller.commands: is missing"},
         {"{ kind = \"velocity_script\", commands = [{ t_s = 1 }, { t_s = 1 }] }",
          "s.toml:22:75: robot[\"two\"].controller.commands[2].t_s: is not later than that of the command before"},
