@@ -53,8 +53,7 @@ std::string parameterFigure(const Tuning& tuning, const TunerResult& result, std
     const double margin = 0.03 * (across(parameter.to) - across(parameter.from));
     SvgPlot plot({}, {across(parameter.from) - margin, across(parameter.to) + margin}, costs,
                  cat("Cost against ", parameter.name));
-    plot.axes(parameter.logarithmic ? cat("logarithm of ", parameter.name, " to base 10") : parameter.name,
-              tuning.costText);
+    plot.axes(parameter.logarithmic ? cat("log10 of ", parameter.name) : parameter.name, tuning.costText);
     const auto at = [&](const Candidate& candidate) {
         return Point{across(candidate.values[index]), std::min(candidate.cost, costs.high)};
     };

@@ -29,7 +29,7 @@ public:
         // From the cheapest; again, with a smaller step, where that has moved; else from anywhere.
         std::vector<double> refined;
         for (double step = firstStep; !over_;) {
-            if (refined != best_) {
+            if (refined.empty() || isApart(refined, best_)) {
                 refined = best_;
                 descend(best_, step);
                 step = std::max(step / 2, smallestStep);
@@ -42,6 +42,13 @@ public:
     }
 
 private:
+    /// Farther than where a simplex ends tells.
+    static bool isApart(const std::vector<double>& a, const std::vector<double>& b) {
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (std::abs(a[i] - b[i]) > 2 * tolerance) return true;
+        return false;
+    }
+
     double draw() { return uniformNoise({seed_, drawn_++, 0, 0}); }
 
     double ask(std::span<const double> point) {
