@@ -14,9 +14,9 @@ namespace mrose {
 struct DriveLimits;
 
 /// Goes behind the ball as seen from a target, then through it towards the target, and kicks where it has something to
-/// kick with. With a ball guide it strikes a ball off the wall that it lies at, and turns it out of corners; without
-/// one it pushes it along walls as they let it, and leaves it to others in corners. Remembers and predicts the ball;
-/// searches where it has lost it; gives way to other robots, mildly; backs off where it does not get on.
+/// kick with. Along walls it pushes the ball as they let it, or strikes it off them (WallStroke); it turns it out of
+/// corners if it has a ball guide, and leaves it to others if not. Remembers and predicts the ball; searches where it
+/// has lost it; gives way to other robots, mildly; backs off where it does not get on.
 class ChaseBall final : public Controller {
 public:
     struct Options {

@@ -16,26 +16,26 @@ enum StrokePhase : std::int64_t { noStroke, goingRound, aligning, onTheSpot, bac
 constexpr std::array strokeNames{"no stroke",  "going round", "aligning", "turning to it",
                                  "backing up", "lunging",     "striking", "following"};
 
-constexpr double goOn = 0.05;                                          // m, farther from the wall than where it begins
-constexpr double elsewhere = 0.25, smoothed = 0.25;                    // m; share of a new sighting
-constexpr double thin = 0.02;                                          // m, of what reaches a wall as the ball would
-constexpr double rangeShare = 0.1;                                     // of the way to the ball: how far off that looks
-constexpr double runUp = 0.4;                                          // m, of the straight way to where it stops
-constexpr double cone = 0.8;                                           // aside for each metre of that way
-constexpr double stepAround = 0.9;                                     // rad, on the way round the ball
-constexpr double lookOut = 0.6, brakeGain = 1.2;                       // m, ahead for walls; 1/s
-constexpr double leastAim = 0.1;                                       // m
-constexpr double spareRoomBeside = 0.03;                               // m
-constexpr double headingTolerance = 0.06;                              // rad
-constexpr double alignGain = 2.5, arrivalGain = 1, leastSpeed = 0.03;  // 1/s; m/s
-constexpr double stillThere = 1.7;                                     // tolerances, once it turns
-constexpr double missedBy = 1, missedWithin = 0.25;                    // rad; m
-constexpr double backShare = 0.5;                                      // of its speed
-constexpr double approachFor = 15;                                     // s, at most
-constexpr double backUp = 0.8;                                         // s
-constexpr double spareTime = 1.3;                                      // of the time that a turn takes
-constexpr double roomToTurn = 0.02;                                    // m, less than its reach is enough
-constexpr double sameWall = 0.99;                                      // cosine between walls
+constexpr double goOn = 0.05;                                         // m, farther from the wall than where it begins
+constexpr double elsewhere = 0.25, smoothed = 0.25;                   // m; share of a new sighting
+constexpr double thin = 0.02;                                         // m, of what reaches a wall as the ball would
+constexpr double rangeShare = 0.1;                                    // of the way to the ball: how far off that looks
+constexpr double runUp = 0.4;                                         // m, of the straight way to where it stops
+constexpr double cone = 0.8;                                          // aside for each metre of that way
+constexpr double stepAround = 0.9;                                    // rad, on the way round the ball
+constexpr double lookOut = 0.6, brakeGain = 1.2;                      // m, ahead for walls; 1/s
+constexpr double leastAim = 0.1;                                      // m
+constexpr double spareRoomBeside = 0.03;                              // m
+constexpr double headingTolerance = 0.06;                             // rad
+constexpr double spotGain = 2.5, arrivalGain = 1, leastSpeed = 0.03;  // 1/s; m/s
+constexpr double stillThere = 1.7;                                    // tolerances, once it turns
+constexpr double missedBy = 1, missedWithin = 0.25;                   // rad; m
+constexpr double backShare = 0.5;                                     // of its speed
+constexpr double approachFor = 15;                                    // s, at most
+constexpr double backUp = 0.8;                                        // s
+constexpr double spareTime = 1.3;                                     // of the time that a turn takes
+constexpr double roomToTurn = 0.02;                                   // m, less than its reach is enough
+constexpr double sameWall = 0.99;                                     // cosine between walls
 constexpr double closerStep = 0.06;              // m: where there is no room, it stops so much nearer to the ball ...
 constexpr int mostCloserSteps = 3;               // ... and again
 constexpr double narrower = 0.7, strokeWay = 1;  // of the ball's radius; m, that a ball may go
@@ -136,9 +136,7 @@ std::optional<Command> WallStroke::update(const Situation& seen, const Options& 
 
 /// Straight to where it stops; there it turns on the spot, for which there is room.
 std::optional<Command> WallStroke::align(const Pose& goal, const Situation& now, const Options& options) {
-    const auto turnBy = [&](double angle) {
-        return std::clamp(alignGain * angle, -options.rotation, options.rotation);
-    };
+    const auto turnBy = [&](double angle) { return std::clamp(spotGain * angle, -options.rotation, options.rotation); };
     const Point way = position(goal) - position(now.robot);
     const double far = length(way);
     if (phase == onTheSpot ? far < stillThere * options.tolerance : far < options.tolerance) {

@@ -30,6 +30,7 @@ constexpr NumberRange deadTimes{0, 2};
 constexpr std::size_t mostTargets = 1000;
 constexpr NumberRange weights{0, 100};
 constexpr double leastHorn = 0.03;  // m, before the front
+constexpr const char* noGuide = "the robot has no ball guide; expected horns that reach 3 cm farther than its front";
 
 /// Stands in for a plug-in that is not to be loaded: it decides nothing.
 class AbsentController final : public Controller {
@@ -181,7 +182,8 @@ ControllerSetting chaseBall(const Context& context) {
     options.guide = hasGuide(shape, options.front);
     if (table.booleanOr("walls", true)) options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    if (table.booleanOr("strokes", options.guide) && options.guide) {
+    if (table.booleanOr("strokes", false)) {
+        if (!options.guide) table.reject("strokes", noGuide);
         options.stroke = wallStroke(table, context);
         options.stroke->speed = options.speed;
         options.stroke->rotation = options.rotation;
@@ -198,8 +200,7 @@ ControllerSetting freeBall(const Context& context) {
     options.stroke.within = table.numberOr("free_m", 0.3, {0.02, 2});
     if (const double front = ballContact(*context.driven.robot.type.shape, options.stroke.ballRadius); front > 0)
         options.front = front;
-    if (!hasGuide(*context.driven.robot.type.shape, options.front))
-        table.reject("kind", "the robot has no ball guide; expected horns that reach 3 cm farther than its front");
+    if (!hasGuide(*context.driven.robot.type.shape, options.front)) table.reject("kind", noGuide);
     if (table.has("towards_m")) options.towards = point(table, "towards_m", metresFar);
     options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);

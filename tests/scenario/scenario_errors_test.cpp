@@ -126,9 +126,9 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"go_to_pose\", targets = [{ x_m = 1 }] }",
          "s.toml:22:48: robot[\"two\"].controller.targets[1].y_m: is missing"},
         {"{ kind = \"chase_ball\" }", "s.toml:22:14: robot[\"two\"].controller.target_m: is missing"},
-        {"{ kind = \"chase_ball\", target_m = [1, 0], stand_off_m = 0.3 }",
-         "s.toml:22:58: robot[\"two\"].controller.stand_off_m: is not a known key; expected one of dead_time_s, kicks, "
-         "kind, rotation_degps, speed_mps, strokes, target_m, walls"},
+        {"{ kind = \"chase_ball\", target_m = [1, 0], strokes = true }",
+         "s.toml:22:61: robot[\"two\"].controller.strokes: the robot has no ball guide; expected horns that reach 3 cm "
+         "farther than its front"},
         {"{ kind = \"free_ball\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: the robot has no ball guide; expected horns that reach 3 cm "
          "farther than its front"},
