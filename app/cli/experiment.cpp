@@ -21,11 +21,12 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
     for (const VariantSummary& variant : summary.variants) {
         if (variant.runs == 0) continue;
         if (!variant.name.empty()) std::printf("%s\n", variant.name.c_str());
-        TextTable table({"", "mean", "deviation", "least", "most", "of"});
+        TextTable table({"", "mean", "deviation", "least", "most", "of", "95 % of a share"});
         for (const MeasureSummary& measure : variant.measures) {
             const auto cell = [&](double value) { return measure.count > 0 ? numberOf(value) : "-"; };
+            const std::string range = '(' + numberOf(measure.low) + " to " + numberOf(measure.high) + ')';
             table.add({measure.name, cell(measure.mean), cell(measure.deviation), cell(measure.least),
-                       cell(measure.most), std::to_string(measure.count)});
+                       cell(measure.most), std::to_string(measure.count), measure.share ? range : ""});
         }
         if (!variant.measures.empty()) std::fputs(table.text().c_str(), stdout);
         std::printf("%lld runs, %lld ended by `until`", static_cast<long long>(variant.runs),

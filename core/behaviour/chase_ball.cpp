@@ -16,9 +16,26 @@
 namespace mrose {
 namespace {
 
-enum Phase : std::int64_t { searching, roaming, goingBehind, pushing, straightOn, backingOff, sweeping, waiting };
-constexpr std::array phaseNames{"searching",   "roaming",     "going behind the ball",    "pushing",
-                                "straight on", "backing off", "sweeping out of a corner", "waiting"};
+enum Phase : std::int64_t {
+    searching,
+    roaming,
+    goingBehind,
+    pushing,
+    straightOn,
+    backingOff,
+    sweeping,
+    waiting,
+    striking
+};
+constexpr std::array phaseNames{"searching",
+                                "roaming",
+                                "going behind the ball",
+                                "pushing",
+                                "straight on",
+                                "backing off",
+                                "sweeping out of a corner",
+                                "waiting",
+                                "striking it off the wall"};
 
 constexpr double wayRound = 0.25;                        // m, between robot and ball on the way behind it
 constexpr double stepRound = 1;                          // rad, how far round the ball it aims at most
@@ -30,6 +47,7 @@ constexpr double searchShare = 0.7;                      // of the rotation rate
 constexpr double turnAway = 0.6;                         // rad, after backing off
 constexpr double straightFor = 3;                        // s, after it got stuck with the ball
 constexpr double sweepFor = 1.5, sweepShare = 0.5;       // s; of the speed
+constexpr double rollsAlong = 0.25;                      // m/s: a ball that it lets roll
 constexpr double sweepReach = 0.06;                      // m, between front and ball
 constexpr double crowd = 0.7;                            // m, from the ball: of robots that are at it
 constexpr double waitAt = 1.6, waitWithin = 0.3;         // m, from the ball, and how exactly
@@ -47,6 +65,7 @@ struct ChaseBall::Memory {
     OwnBelief self;
     BackOff backOff;
     BallBelief ball;
+    WallStroke stroke;
     std::int64_t phase;
     Nanoseconds phaseEnd;  ///< of searching, roaming, going straight on and sweeping
     Nanoseconds nextKick;
@@ -63,9 +82,9 @@ struct ChaseBall::Situation {
 };
 
 std::size_t ChaseBall::memorySize() const {
-    static_assert(
-        sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) + 6 * 8,
-        "no padding");
+    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) +
+                                        sizeof(WallStroke) + 6 * 8,
+                  "no padding");
     return sizeof(Memory);
 }
 
@@ -114,7 +133,8 @@ Point ChaseBall::aim(const Situation& now, Memory& memory) const {
 
 Command ChaseBall::chase(const Observation& observation, Memory& memory, Decision& decision) const {
     const Situation now = situation(memory);
-    if (mustWait(now, observation, memory)) return wait(now, observation, memory);
+    if (!memory.stroke.strikes() && mustWait(now, observation, memory)) return wait(now, observation, memory);
+    if (const auto stroke = strike(now, observation, memory)) return *stroke;
     if (beginsSweeping(now, observation, memory)) return sweep(memory);
     const bool straight = memory.phase == straightOn && observation.time < memory.phaseEnd;
     memory.aim = clearOf(now.walls, straight ? now.ball : aim(now, memory), options_.halfWidth + roomBeside);
@@ -139,6 +159,18 @@ bool ChaseBall::shouldKick(const Observation& observation, const Memory& memory)
     return ball_B.x > 0 && ball_B.x < options_.front + options_.ballRadius + kickReach &&
            std::abs(ball_B.y) < kickWidth && std::abs(direction(target_B)) < kickAngle &&
            std::abs(target_B.y) < kickMiss;
+}
+
+/// Where the ball lies still at a wall.
+std::optional<Command> ChaseBall::strike(const Situation& now, const Observation& observation, Memory& memory) const {
+    if (!options_.stroke || (length(memory.ball.velocity) > rollsAlong && !memory.stroke.strikes()))
+        return std::nullopt;
+    const auto command = memory.stroke.update({observation.time, now.robot, now.ball, options_.target, *options_.walls},
+                                              *options_.stroke);
+    if (!command) return std::nullopt;
+    memory.phase = striking;
+    memory.aim = position(memory.stroke.stance(now.ball, *options_.stroke));
+    return command;
 }
 
 /// In a corner a push leads nowhere; between the horns of a guide the ball comes along when the robot turns.
@@ -226,6 +258,7 @@ void ChaseBall::decide(const Observation& observation, std::span<std::byte> byte
         if (back) {
             decision.command = *back;
             memory.phase = backingOff;
+            memory.stroke.stop();
             // Every other time it tries the ball from where it is: the place behind it may be out of reach.
             memory.phaseEnd = observation.time + fromSeconds(straightFor);
         } else if (memory.phase == sweeping && observation.time < memory.phaseEnd) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "behaviour/floor_plan.h"
+#include "behaviour/wall_stroke.h"
 #include "control/controller.h"
 #include "geometry/point.h"
 
@@ -12,9 +14,9 @@ namespace mrose {
 struct DriveLimits;
 
 /// Goes behind the ball as seen from a target, then through it towards the target, and kicks where it has something to
-/// kick with. Along walls it pushes the ball as they let it; it turns it out of corners if it has a ball guide, and
-/// leaves it to others if not. Remembers and predicts the ball; searches where it has lost it; gives way to other
-/// robots, mildly; backs off where it does not get on.
+/// kick with. Along walls it pushes the ball as they let it, or strikes it off them (WallStroke); it turns it out of
+/// corners if it has a ball guide, and leaves it to others if not. Remembers and predicts the ball; searches where it
+/// has lost it; gives way to other robots, mildly; backs off where it does not get on.
 class ChaseBall final : public Controller {
 public:
     struct Options {
@@ -27,6 +29,7 @@ public:
         double halfWidth = 0.2;    ///< m, of the robot
         bool guide = false;        ///< it has horns beside its front, between which a ball comes along when it turns
         double deadTime = 0.3;     ///< s, by which the robot answers late
+        std::optional<WallStroke::Options> stroke = {};  ///< how it gets a ball off a wall; without, it pushes
         /// Without them it takes no heed of walls.
         std::shared_ptr<const FloorPlan> walls = std::make_shared<const FloorPlan>();
     };
@@ -48,6 +51,7 @@ private:
     Command wait(const Situation& now, const Observation& observation, Memory& memory) const;
     Point aim(const Situation& now, Memory& memory) const;
     bool mustWait(const Situation& now, const Observation& observation, const Memory& memory) const;
+    std::optional<Command> strike(const Situation& now, const Observation& observation, Memory& memory) const;
     bool beginsSweeping(const Situation& now, const Observation& observation, Memory& memory) const;
     bool shouldKick(const Observation& observation, const Memory& memory) const;
     void annotate(const Memory& memory, Decision& decision) const;

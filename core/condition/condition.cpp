@@ -18,9 +18,10 @@ struct Start {
     std::vector<RobotInsight> insights;
     Moment moment;
 
-    Start(const Scenario& scenario, const RealRobots* real, const DrawnValues* drawn)
-        : state(scenario.initialState()), insights(state.robots.size()), moment{&scenario, &state, nullptr,
-                                                                                insights,  real,   drawn} {}
+    Start(const Scenario& scenario, const RealRobots* real, const DrawnValues* drawn,
+          const DrawnValues* measured = nullptr)
+        : state(scenario.initialState()), insights(state.robots.size()), moment{&scenario, &state, nullptr, insights,
+                                                                                real,      drawn,  measured} {}
     Start(const Start&) = delete;
     Start& operator=(const Start&) = delete;
 };
@@ -103,8 +104,8 @@ Expected<double> WorldValue::value(const Moment& at) {
 }
 
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario, const std::string& source,
-                                       const RealRobots* real, const DrawnValues* drawn) {
-    const Start start(scenario, real, drawn);
+                                       const RealRobots* real, const DrawnValues* drawn, const DrawnValues* measured) {
+    const Start start(scenario, real, drawn, measured);
     auto expression = compiled(text, start, source);
     if (!expression) return tl::unexpected(expression.error());
     WorldValue value(std::move(*expression));

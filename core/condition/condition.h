@@ -64,15 +64,15 @@ public:
 
 private:
     friend Expected<WorldValue> compileWorldValue(std::string_view, const Scenario&, const std::string&,
-                                                  const RealRobots*, const DrawnValues*);
+                                                  const RealRobots*, const DrawnValues*, const DrawnValues*);
     explicit WorldValue(std::unique_ptr<WorldExpression> expression);
 
     std::unique_ptr<WorldExpression> expression_;
 };
 
-/// Errors as of compileCondition().
+/// Errors as of compileCondition(). Without `measured`, what a trial's measures gave, asking for these is one, too.
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario,
                                        const std::string& source = "expression", const RealRobots* real = nullptr,
-                                       const DrawnValues* drawn = nullptr);
+                                       const DrawnValues* drawn = nullptr, const DrawnValues* measured = nullptr);
 
 }  // namespace mrose

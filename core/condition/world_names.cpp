@@ -212,12 +212,11 @@ int readPair(lua_State* lua) {
 /// A variable of the run; upvalue 1 is the quantity.
 int readOfRun(lua_State* lua) { return pushValue(lua, quantityIn(lua, lua_upvalueindex(1)), {viewOf(lua).at}); }
 
-/// __index of `draw`: what was drawn for the trial.
-int readDrawn(lua_State* lua) {
+/// A value of a trial by its name, at index 2; `what` it is.
+int pushTrialValue(lua_State* lua, const DrawnValues& values, const char* what) {
     const WorldView& view = viewOf(lua);
-    if (view.at.drawn == nullptr) return luaL_error(lua, "'draw' is known in experiments alone");
     const char* const name = luaL_tolstring(lua, 2, nullptr);
-    for (const DrawnValue& one : *view.at.drawn) {
+    for (const DrawnValue& one : values) {
         if (one.name != name) continue;
         if (const double* const number = one.value.asFloat()) return lua_pushnumber(lua, *number), 1;
         if (const std::int64_t* const whole = one.value.asInteger())
@@ -225,12 +224,25 @@ int readDrawn(lua_State* lua) {
         if (const bool* const truth = one.value.asBoolean()) return lua_pushboolean(lua, static_cast<int>(*truth)), 1;
         if (const std::string* const text = one.value.asText())
             return lua_pushlstring(lua, text->data(), text->size()), 1;
-        return luaL_error(lua, "draw '%s' is neither a number nor a text", name);
+        return luaL_error(lua, "%s '%s' is neither a number nor a text", what, name);
     }
-    view.text = view.at.drawn->empty() ? "there is none" : "there are ";
-    for (const DrawnValue& one : *view.at.drawn)
-        view.text += (&one == view.at.drawn->data() ? "'" : ", '") + one.name + '\'';
-    return luaL_error(lua, "there is no draw '%s': %s", name, view.text.c_str());
+    view.text = values.empty() ? "there is none" : "there are ";
+    for (const DrawnValue& one : values) view.text += (&one == values.data() ? "'" : ", '") + one.name + '\'';
+    return luaL_error(lua, "there is no %s '%s': %s", what, name, view.text.c_str());
+}
+
+/// __index of `draw`: what was drawn for the trial.
+int readDrawn(lua_State* lua) {
+    const DrawnValues* const drawn = viewOf(lua).at.drawn;
+    if (drawn == nullptr) return luaL_error(lua, "'draw' is known in experiments alone");
+    return pushTrialValue(lua, *drawn, "draw");
+}
+
+/// __index of `measure`: what it gave.
+int readMeasured(lua_State* lua) {
+    const DrawnValues* const measured = viewOf(lua).at.measured;
+    if (measured == nullptr) return luaL_error(lua, "'measure' is known in measures at a trial's end alone");
+    return pushTrialValue(lua, *measured, "measure above");
 }
 
 int wrap(lua_State* lua) {
@@ -267,12 +279,8 @@ public:
         pushHandle(lua_, Handle::Kind::wall, noBody);
         nameType("wall");
         sandbox_.addName("wall");
-        pushHandle(lua_, Handle::Kind::collection, 0);
-        luaL_newmetatable(lua_, "draw");
-        lua_pushcfunction(lua_, readDrawn);
-        lua_setfield(lua_, -2, "__index");
-        lua_setmetatable(lua_, -2);
-        sandbox_.addName("draw");
+        addTrialValues("draw", readDrawn);
+        addTrialValues("measure", readMeasured);
         lua_pushcfunction(lua_, wrap);
         sandbox_.addName("wrap");
         for (const Quantity& quantity : quantities())
@@ -386,6 +394,15 @@ private:
             sandbox_.addVariable("ball", noBall);
         }
         addCollection({"object", "object", "objects"}, names, readMember);
+    }
+
+    void addTrialValues(const char* name, lua_CFunction read) {
+        pushHandle(lua_, Handle::Kind::collection, 0);
+        luaL_newmetatable(lua_, name);
+        lua_pushcfunction(lua_, read);
+        lua_setfield(lua_, -2, "__index");
+        lua_setmetatable(lua_, -2);
+        sandbox_.addName(name);
     }
 
     void addGoals(const Quantity& quantity) {

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::int64_t mostTrials = 10'000'000, mostSeeds = 1'000'000, mostChoices = 1000;
 constexpr std::array measureWords{std::string_view("least"),   std::string_view("most"),  std::string_view("mean"),
-                                  std::string_view("seconds"), std::string_view("times"), std::string_view("first")};
+                                  std::string_view("seconds"), std::string_view("times"), std::string_view("first"),
+                                  std::string_view("longest")};
 
 constexpr std::array<std::string_view, 22> luaKeywords{
     "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
@@ -295,7 +296,8 @@ private:
                 for (std::size_t i = 0; i < measureWords.size(); ++i)
                     if (of.has(measureWords[i])) ++there, word = i;
                 if (there != 1)
-                    table.reject(key, "expected one of `least`, `most`, `mean`, `seconds`, `times`, `first`");
+                    table.reject(key,
+                                 "expected one of `least`, `most`, `mean`, `seconds`, `times`, `first`, `longest`");
                 measure.of = static_cast<Measure::Of>(word + 1);
                 if (there == 1) measure.expression = expression(of, measureWords[word], "measures." + key + '.');
                 of.rejectUnknown();

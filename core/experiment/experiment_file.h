@@ -54,7 +54,8 @@ struct Measure {
         mean,     ///< likewise
         seconds,  ///< for how long it holds
         times,    ///< how often it begins to hold
-        first     ///< s, when it holds first; NaN: never
+        first,    ///< s, when it holds first; NaN: never
+        longest   ///< s, for how long it holds without a break at most
     };
     std::string name;
     Of of = Of::end;

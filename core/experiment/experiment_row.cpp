@@ -29,12 +29,23 @@ std::string measuredText(double value) { return std::isnan(value) ? "nan" : numb
 
 void add(MeasureSummary& summary, double value) {
     if (!std::isfinite(value)) return;
+    summary.share = (value == 0 || value == 1) && (summary.share || summary.count == 0);
     ++summary.count;
     summary.least = summary.count == 1 ? value : std::min(summary.least, value);
     summary.most = summary.count == 1 ? value : std::max(summary.most, value);
     const double off = value - summary.mean;
     summary.mean += off / static_cast<double>(summary.count);
     summary.deviation += off * (value - summary.mean);  // a sum of squares, for now
+}
+
+/// The share that a mean of truths is of is likely within this (Wilson 1927).
+void setInterval(MeasureSummary& summary) {
+    constexpr double z = 1.959964;
+    if (!summary.share) return;
+    const double n = static_cast<double>(summary.count), p = summary.mean;
+    const double middle = p + z * z / (2 * n), wide = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+    summary.low = std::max(0.0, (middle - wide) / (1 + z * z / n));
+    summary.high = std::min(1.0, (middle + wide) / (1 + z * z / n));
 }
 
 }  // namespace
@@ -96,9 +107,11 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
         }
     }
     for (VariantSummary& summary : summaries)
-        for (MeasureSummary& measure : summary.measures)
+        for (MeasureSummary& measure : summary.measures) {
             measure.deviation =
                 measure.count > 1 ? std::sqrt(measure.deviation / static_cast<double>(measure.count - 1)) : 0;
+            setInterval(measure);
+        }
     return summaries;
 }
 

@@ -74,8 +74,9 @@ Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) co
         result.emplace(std::move(*one));
         return {};
     };
-    const auto value = [&](const FileExpression& expression, std::vector<WorldValue>& values) -> Expected<void> {
-        auto one = compileWorldValue(expression.text, scenario, "", nullptr, start.drawn);
+    const auto value = [&](const FileExpression& expression, std::vector<WorldValue>& values,
+                           const DrawnValues* measured = nullptr) -> Expected<void> {
+        auto one = compileWorldValue(expression.text, scenario, "", nullptr, start.drawn, measured);
         if (!one) return tl::unexpected(expression.placed(one.error(), experiment_.file));
         values.push_back(std::move(*one));
         return {};
@@ -84,13 +85,15 @@ Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) co
     if (done) done = condition(experiment_.until, all.until);
     for (const Feature& feature : experiment_.features)
         if (done) done = value(feature.expression, all.features);
+    DrawnValues above;
     for (const Measure& measure : experiment_.measures) {
-        const bool holds =
-            measure.of == Measure::Of::seconds || measure.of == Measure::Of::times || measure.of == Measure::Of::first;
+        const bool atEnd = measure.of == Measure::Of::end;
+        const bool holds = measure.of >= Measure::Of::seconds;
         std::optional<Condition> truth;
         // That it is true or false; of these, values are 1 and 0.
         if (done && holds) done = condition(measure.expression, truth);
-        if (done) done = value(measure.expression, all.measures);
+        if (done) done = value(measure.expression, all.measures, atEnd ? &above : nullptr);
+        above.push_back({measure.name, Value(never)});
     }
     for (const FileExpression* one : allOf(experiment_))
         if (done) done = checkEntries(*one, start, experiment_.file);
@@ -111,10 +114,10 @@ Expected<void> TrialMeasurement::begin(const Moment& start) {
         features_.push_back(*value);
     }
     measures_.assign(experiment_.measures.size(), never);
-    held_.assign(measures_.size(), false);
+    held_.assign(measures_.size(), 0);
     for (std::size_t i = 0; i < measures_.size(); ++i) {
         const Measure::Of of = experiment_.measures[i].of;
-        if (of == Measure::Of::seconds || of == Measure::Of::times || of == Measure::Of::mean) measures_[i] = 0;
+        if (of >= Measure::Of::mean && of != Measure::Of::first) measures_[i] = 0;
     }
     return {};
 }
@@ -138,8 +141,9 @@ Expected<bool> TrialMeasurement::look(const Moment& at) {
         if (of == Measure::Of::most) measured = std::fmax(measured, *value);
         if (of == Measure::Of::mean) measured += (*value - measured) / static_cast<double>(looks_);
         if (of == Measure::Of::seconds && holds) ++measured;  // looks, until the end
-        if (of == Measure::Of::times && holds && !held_[i]) ++measured;
-        held_[i] = holds;
+        if (of == Measure::Of::times && holds && held_[i] == 0) ++measured;
+        held_[i] = holds ? held_[i] + 1 : 0;
+        if (of == Measure::Of::longest) measured = std::max(measured, static_cast<double>(held_[i]));  // looks
         if (of == Measure::Of::first && holds) measured = toSeconds(at.now());
     }
     if (!expressions_.until) return false;
@@ -148,15 +152,22 @@ Expected<bool> TrialMeasurement::look(const Moment& at) {
     return *over;
 }
 
+double TrialMeasurement::inSeconds(double looks) const { return toSeconds(static_cast<Nanoseconds>(looks) * between_); }
+
 Expected<void> TrialMeasurement::end(const Moment& at) {
+    DrawnValues above;
+    Moment withMeasures = at;
+    withMeasures.measured = &above;
     for (std::size_t i = 0; i < measures_.size(); ++i) {
-        if (experiment_.measures[i].of == Measure::Of::mean && looks_ == 0) measures_[i] = never;
-        if (experiment_.measures[i].of == Measure::Of::seconds)
-            measures_[i] = toSeconds(static_cast<Nanoseconds>(measures_[i]) * between_);
-        if (experiment_.measures[i].of != Measure::Of::end) continue;
-        const auto value = valueOf(i, at);
-        if (!value) return tl::unexpected(value.error());
-        measures_[i] = *value;
+        const Measure::Of of = experiment_.measures[i].of;
+        if (of == Measure::Of::mean && looks_ == 0) measures_[i] = never;
+        if (of == Measure::Of::seconds || of == Measure::Of::longest) measures_[i] = inSeconds(measures_[i]);
+        if (of == Measure::Of::end) {
+            const auto value = valueOf(i, withMeasures);
+            if (!value) return tl::unexpected(value.error());
+            measures_[i] = *value;
+        }
+        above.push_back({experiment_.measures[i].name, Value(measures_[i])});
     }
     return {};
 }

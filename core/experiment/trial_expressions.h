@@ -52,12 +52,13 @@ public:
 
 private:
     Expected<double> valueOf(std::size_t measure, const Moment& at);
+    double inSeconds(double looks) const;
 
     const Experiment& experiment_;
     CompiledExpressions& expressions_;
     Nanoseconds between_;
     std::vector<double> features_, measures_;
-    std::vector<bool> held_;  ///< by measure, at the look before
+    std::vector<std::int64_t> held_;  ///< by measure, for how many looks up to the last
     std::int64_t looks_ = 0;
 };
 

@@ -39,6 +39,7 @@ struct Moment {
     std::span<const RobotInsight> insights = {};  ///< of each robot; empty: they were not recorded
     const RealRobots* real = nullptr;             ///< nullptr: no real log is open
     const DrawnValues* drawn = nullptr;           ///< for a trial of an experiment; nullptr: it is none
+    const DrawnValues* measured = nullptr;        ///< of that trial, at its end
 
     const Scene& scene() const { return scenario->scene(); }
     Nanoseconds now() const { return scene().timeOf(state->tick); }

@@ -220,6 +220,7 @@ std::string experimentJson(const ExperimentSummary& summary, const std::string& 
                                              {"deviation", number(measure.deviation)},
                                              {"least", number(measure.least)},
                                              {"most", number(measure.most)}};
+            if (measure.share) one["measures"][measure.name]["interval_95"] = {measure.low, measure.high};
         }
         json["variants"].push_back(std::move(one));
     }

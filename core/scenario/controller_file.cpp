@@ -8,6 +8,7 @@
 #include "behaviour/chase_ball.h"
 #include "behaviour/command_player.h"
 #include "behaviour/dynamic_window.h"
+#include "behaviour/free_ball.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/navigate.h"
 #include "behaviour/wander.h"
@@ -30,6 +31,7 @@ constexpr NumberRange deadTimes{0, 2};
 constexpr std::size_t mostTargets = 1000;
 constexpr NumberRange weights{0, 100};
 constexpr double leastHorn = 0.03;  // m, before the front
+constexpr const char* noGuide = "the robot has no ball guide; expected horns that reach 3 cm farther than its front";
 
 /// Stands in for a plug-in that is not to be loaded: it decides nothing.
 class AbsentController final : public Controller {
@@ -143,6 +145,29 @@ double mostOf(const Shape& shape, Measure measure) {
     return result;
 }
 
+/// Whether it has horns, between which a ball comes along.
+bool hasGuide(const Shape& shape, double front) {
+    return mostOf(shape, [](const Point& p) { return p.x; }) > front + leastHorn;
+}
+
+/// How a robot with a guide strikes a ball off a wall.
+WallStroke::Options wallStroke(TomlTable& table, const Context& context) {
+    WallStroke::Options options;
+    options.reach = context.driven.robot.type.shape->reach;
+    if (context.driven.ballRadius > 0) options.ballRadius = context.driven.ballRadius;
+    options.standOff = table.numberOr("stand_off_m", options.standOff, {0.1, 2});
+    options.stopDistance = table.numberOr("stop_distance_m", options.stopDistance, {0.05, 2});
+    options.approach = angleOr(table, "approach_deg", options.approach, {-90, 90});
+    options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.005, 0.5});
+    options.lead = table.numberOr("lead_s", options.lead, {0, 2});
+    options.leadSpeed = table.numberOr("lead_speed_mps", options.leadSpeed, {-1, 1});
+    options.turnSpeed = table.numberOr("turn_speed_mps", options.turnSpeed, {-1, 1});
+    options.strokeRotation = angleOr(table, "stroke_degps", options.strokeRotation, {10, 720});
+    options.turn = angleOr(table, "turn_deg", options.turn, {5, 360});
+    options.follow = table.numberOr("follow_s", options.follow, {0, 5});
+    return options;
+}
+
 ControllerSetting chaseBall(const Context& context) {
     ChaseBall::Options options;
     TomlTable& table = context.table;
@@ -155,10 +180,32 @@ ControllerSetting chaseBall(const Context& context) {
         options.front = front;
     const Shape& shape = *context.driven.robot.type.shape;
     options.halfWidth = mostOf(shape, [](const Point& p) { return std::abs(p.y); });
-    options.guide = mostOf(shape, [](const Point& p) { return p.x; }) > options.front + leastHorn;
+    options.guide = hasGuide(shape, options.front);
+    if (table.booleanOr("walls", true)) options.walls = context.driven.walls;
+    options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
+    if (table.booleanOr("strokes", false)) {
+        if (!options.guide) table.reject("strokes", noGuide);
+        options.stroke = wallStroke(table, context);
+        options.stroke->speed = options.speed;
+        options.stroke->rotation = options.rotation;
+    }
+    return {std::make_shared<ChaseBall>(options)};
+}
+
+ControllerSetting freeBall(const Context& context) {
+    FreeBall::Options options;
+    TomlTable& table = context.table;
+    options.stroke = wallStroke(table, context);
+    options.stroke.speed = table.numberOr("speed_mps", options.stroke.speed, speeds);
+    options.stroke.rotation = angleOr(table, "rotation_degps", options.stroke.rotation, rotations);
+    options.stroke.within = table.numberOr("free_m", 0.3, {0.02, 2});
+    if (const double front = ballContact(*context.driven.robot.type.shape, options.stroke.ballRadius); front > 0)
+        options.front = front;
+    if (!hasGuide(*context.driven.robot.type.shape, options.front)) table.reject("kind", noGuide);
+    if (table.has("towards_m")) options.towards = point(table, "towards_m", metresFar);
     options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
-    return {std::make_shared<ChaseBall>(options)};
+    return {std::make_shared<FreeBall>(options)};
 }
 
 ControllerSetting wander(const Context& context) {
@@ -276,14 +323,10 @@ struct Kind {
     std::string_view name;
     ControllerSetting (*read)(const Context&);
 };
-constexpr std::array kinds{Kind{"velocity_script", velocityScript},
-                           Kind{"log_player", logPlayer},
-                           Kind{"go_to_pose", goToPose},
-                           Kind{"chase_ball", chaseBall},
-                           Kind{"wander", wander},
-                           Kind{"dynamic_window", dynamicWindow},
-                           Kind{"navigate", navigate},
-                           Kind{"plugin", plugin}};
+constexpr std::array kinds{
+    Kind{"velocity_script", velocityScript}, Kind{"log_player", logPlayer}, Kind{"go_to_pose", goToPose},
+    Kind{"chase_ball", chaseBall},           Kind{"free_ball", freeBall},   Kind{"wander", wander},
+    Kind{"dynamic_window", dynamicWindow},   Kind{"navigate", navigate},    Kind{"plugin", plugin}};
 
 }  // namespace
 

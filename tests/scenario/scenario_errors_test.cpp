@@ -119,7 +119,7 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"dance\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: is \"dance\"; expected one of \"velocity_script\", "
          "\"log_player\", "
-         "\"go_to_pose\", \"chase_ball\", \"wander\", \"dynamic_window\", \"navigate\", \"plugin\""},
+         "\"go_to_pose\", \"chase_ball\", \"free_ball\", \"wander\", \"dynamic_window\", \"navigate\", \"plugin\""},
         {"{ kind = \"wander\", pace = 1 }",
          "s.toml:22:40: robot[\"two\"].controller.pace: is not a known key; expected one of change_every_s, "
          "dead_time_s, kind, rotation_degps, speed_mps"},
@@ -139,6 +139,12 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
          "\"temporary_target\", \"imagined_obstacle\", \"replan\""},
         {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, spare_m = 0 }",
          "s.toml:22:80: robot[\"two\"].controller.spare_m: is 0.0; expected 0.01 to 5.0"},
+        {"{ kind = \"chase_ball\", target_m = [1, 0], strokes = true }",
+         "s.toml:22:61: robot[\"two\"].controller.strokes: the robot has no ball guide; expected horns that reach 3 cm "
+         "farther than its front"},
+        {"{ kind = \"free_ball\" }",
+         "s.toml:22:23: robot[\"two\"].controller.kind: the robot has no ball guide; expected horns that reach 3 cm "
+         "farther than its front"},
         {"{ kind = \"velocity_script\" }", "s.toml:22:14: robot[\"two\"].controller.commands: is missing"},
         {"{ kind = \"velocity_script\", commands = [{ t_s = 1 }, { t_s = 1 }] }",
          "s.toml:22:75: robot[\"two\"].controller.commands[2].t_s: is not later than that of the command before"},
