@@ -71,6 +71,11 @@ path = "robot[1].controller.commands[1].v_mps"
 of = [0.2, 0.4]
 )";
 
+/// `text` with another number of trials than 12.
+std::string replacedTrials(std::string text, const std::string& trials) {
+    return text.replace(text.find("trials = 12"), 11, "trials = " + trials);
+}
+
 /// An experiment of files in memory.
 class ExperimentTest : public testing::Test {
 protected:
@@ -151,6 +156,34 @@ TEST_F(ExperimentTest, WhatIsDrawnIsWhereItIsPutAndAmongTheFeatures) {
     }
     EXPECT_EQ(places.size(), 12u);
     EXPECT_EQ(speeds, (std::set<std::string>{"0.2", "0.4"}));
+}
+
+/// The others are as they would have been.
+TEST_F(ExperimentTest, BeginsAtAnyTrial) {
+    const std::string measured = "[measures]\nway = 'robot[1].x - draw.x'\n";
+    ASSERT_TRUE(run(experiment(drawn + measured), "all"));
+    ASSERT_TRUE(run(experiment("first_trial = 9\n" + replacedTrials(drawn + measured, "4")), "last"));
+    const auto all = rows("all"), last = rows("last");
+    ASSERT_EQ(last.size(), 4u);
+    for (std::size_t i = 0; i < last.size(); ++i) EXPECT_EQ(last[i], all[8 + i]) << i;
+    EXPECT_EQ(refusal("first_trial = 0\n" + (drawn + measured)),
+              "x.toml:5:15: first_trial: expected a whole number from 1 to 10000000");
+}
+
+/// One is read as what the other has made of the scenario.
+TEST_F(ExperimentTest, VariantMaySetWithinWhatItSets) {
+    const std::string set =
+        "[[variant]]\nname = \"v\"\nset = { \"robot[1].type.perception\" = { model = \"reference\" }, "
+        "\"robot[1].type.perception.error_scale\" = 0.5 }\n";
+    const Experiment lane = experiment("trials = 1\n" + set);
+    ASSERT_EQ(lane.variants.size(), 1u);
+    TrialExpressions expressions(lane);
+    const auto trial = TrialMaker(lane, expressions, {}).make(1);
+    ASSERT_TRUE(trial) << trial.error().message();
+    EXPECT_EQ(trial->scenarios[0].parts.scene.robotTypes[0].perception.errorScale, 0.5);
+    EXPECT_THAT(
+        refusal("trials = 1\n[[variant]]\nname = \"v\"\nset = { \"robot[1].type.perception.error_scale\" = 1 }\n"),
+        HasSubstr("error_scale: is not a known key"));
 }
 
 TEST_F(ExperimentTest, RowsAreTheSameForAnyNumberOfThreadsAndResumed) {
