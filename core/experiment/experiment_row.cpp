@@ -44,8 +44,8 @@ void setInterval(MeasureSummary& summary) {
     if (!summary.share) return;
     const double n = static_cast<double>(summary.count), p = summary.mean;
     const double middle = p + z * z / (2 * n), wide = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
-    summary.low = std::max(0.0, (middle - wide) / (1 + z * z / n));
-    summary.high = std::min(1.0, (middle + wide) / (1 + z * z / n));
+    summary.low = p == 0 ? 0 : (middle - wide) / (1 + z * z / n);
+    summary.high = p == 1 ? 1 : (middle + wide) / (1 + z * z / n);
 }
 
 }  // namespace

@@ -180,10 +180,11 @@ TEST(FreeBall, GetsTheBallOffTheWallWhereAPushDoesNot) {
 TEST(FreeBall, LeavesABallAloneThatIsFree) {
     FreeBall::Options options;
     options.walls = floorPlanOf(walledField(9, 5));
-    const Scenario scenario = SmallWorld(walledField(9, 5))
-                                  .robot(guideRobot(cameras()), {3, 2, 1}, std::make_shared<const FreeBall>(options))
-                                  .object(ballType(), {4.5, 2.5, 0})
-                                  .scenario();
+    const Scenario scenario =
+        SmallWorld(walledField(9, 5))
+            .robot(guideRobot(cameras()), {3, 2, 1}, std::make_shared<const FreeBall>(options), noisyDrive(), 0)
+            .object(ballType(), {4.5, 2.5, 0})
+            .scenario();
     WorldState state = scenario.initialState();
     run(scenario, state, 20 * ticksPerSecond);
     EXPECT_EQ(position(state.objects[0].pose), (Point{4.5, 2.5}));
