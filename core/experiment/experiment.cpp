@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "experiment/batch.h"
+#include "experiment/branching.h"
 #include "experiment/experiment_row.h"
 #include "experiment/trial.h"
 #include "io/shell_quoted.h"
@@ -92,6 +93,18 @@ private:
     void runTrial(Workplace& place, std::uint32_t number) {
         auto trial = place.maker.make(number);
         if (!trial) return fail(trial.error());
+        std::optional<BranchPoint> point;
+        if (trial->before) {
+            if (options_.loaded) options_.loaded(trial->before->parts);
+            auto come = runToBranch(experiment_, place.expressions, std::move(trial->before->parts), trial->drawn,
+                                    [this] { return goesOn(); });
+            if (!come) return fail(come.error());
+            if (come->before.end == RunEnd::stopped) {
+                stop_ = true;
+                return;
+            }
+            point.emplace(std::move(*come));
+        }
         for (std::size_t variant = 0; variant < experiment_.variants.size(); ++variant) {
             ScenarioParts& parts = trial->scenarios[variant].parts;
             if (options_.loaded) options_.loaded(parts);
@@ -103,7 +116,8 @@ private:
                     if (file_.has(key)) continue;
                 }
                 if (options_.begins) options_.begins(key);
-                const auto row = rowOf(place, scenario, trial->drawn, key);
+                const auto row =
+                    point ? rowOf(place, *point, scenario, key) : rowOf(place, scenario, trial->drawn, key);
                 const std::lock_guard lock(mutex_);
                 if (stop_) return;
                 if (!row) return failNow(row.error());
@@ -114,39 +128,70 @@ private:
         }
     }
 
+    bool goesOn() const { return !stop_ && (!options_.goesOn || options_.goesOn()); }
+
     Expected<std::string> rowOf(Workplace& place, const Scenario& scenario, const DrawnValues& drawn,
                                 const RunKey& key) {
-        const WorldState start = scenario.initialState(key.seed);
-        std::vector<RobotInsight> none(start.robots.size());
+        WorldState start = scenario.initialState(key.seed);
+        const std::vector<RobotInsight> none(start.robots.size());
         const Moment atStart{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
         const auto expressions = place.expressions.of(atStart);
         if (!expressions) return tl::unexpected(expressions.error());
-        const std::int64_t every = ticksBetweenLooks(experiment_, scenario.scene());
-        TrialMeasurement measurement(experiment_, **expressions, every * scenario.scene().tickLength);
+        TrialMeasurement measurement(experiment_, **expressions, lookEvery(scenario));
         if (const auto begun = measurement.begin(atStart); !begun) return tl::unexpected(begun.error());
+        return measuredRow(scenario, std::move(start), drawn, key, **expressions, measurement);
+    }
+    /// Of a variant that goes on from where its trial branched.
+    Expected<std::string> rowOf(Workplace& place, const BranchPoint& point, const Scenario& variant,
+                                const RunKey& key) {
+        const std::vector<RobotInsight> none(point.before.state.robots.size());
+        const Moment atBranch{
+            .scenario = point.scenario.get(), .state = &point.before.state, .insights = none, .drawn = &point.drawn};
+        const auto expressions = place.expressions.of(atBranch);
+        if (!expressions) return tl::unexpected(expressions.error());
+        TrialMeasurement measurement(experiment_, **expressions, lookEvery(variant));
+        if (!point.isReached()) {
+            measurement.skip();
+            RunResult result = point.before;
+            if (result.end == RunEnd::duration) result.end = RunEnd::noBranch;
+            return experimentRow(experiment_, key, point.drawn, measurement, result, variant.scene().tickLength,
+                                 commandsOf(key));
+        }
+        if (const auto begun = measurement.begin(atBranch); !begun) return tl::unexpected(begun.error());
+        return measuredRow(variant, branchedState(point, variant, key.seed), point.drawn, key, **expressions,
+                           measurement);
+    }
+    Nanoseconds lookEvery(const Scenario& scenario) const {
+        return ticksBetweenLooks(experiment_, scenario.scene()) * scenario.scene().tickLength;
+    }
+    RunCommands commandsOf(const RunKey& key) const {
+        std::string flags = " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
+        if (const std::string& variant = experiment_.variants[key.variant - 1].name; !variant.empty())
+            flags += " --variant " + shellQuoted(variant);
+        return {options_.command + flags, options_.window + flags};
+    }
+
+    Expected<std::string> measuredRow(const Scenario& scenario, WorldState start, const DrawnValues& drawn,
+                                      const RunKey& key, const CompiledExpressions& expressions,
+                                      TrialMeasurement& measurement) {
         RunOptions options;
         options.duration = scenario.parts().duration;
         options.endOnFault = true;
-        options.watchFollows = (*expressions)->follows;
-        options.every = every;
+        options.watchFollows = expressions.follows;
+        options.every = ticksBetweenLooks(experiment_, scenario.scene());
         options.drawn = &drawn;
         options.watch = [&](const Moment& at) { return measurement.look(at); };
         std::optional<Error> wrong;
         options.finally = [&](const Moment& at) {
             if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
         };
-        options.each = [this](const WorldState&, const StepTrace&) {
-            return !stop_ && (!options_.goesOn || options_.goesOn());
-        };
-        const auto result = run(scenario, start, options);
+        options.each = [this](const WorldState&, const StepTrace&) { return goesOn(); };
+        const auto result = run(scenario, std::move(start), options);
         if (!result) return tl::unexpected(result.error());
         if (wrong) return tl::unexpected(*wrong);
         if (result->end == RunEnd::stopped) stop_ = true;
-        std::string flags = " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
-        if (const std::string& variant = experiment_.variants[key.variant - 1].name; !variant.empty())
-            flags += " --variant " + shellQuoted(variant);
         return experimentRow(experiment_, key, drawn, measurement, *result, scenario.scene().tickLength,
-                             {options_.command + flags, options_.window + flags});
+                             commandsOf(key));
     }
 
     void fail(const Error& error) {

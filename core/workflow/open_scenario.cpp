@@ -5,12 +5,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "experiment/branching.h"
 #include "experiment/experiment.h"
 #include "experiment/trial.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "io/shell_quoted.h"
 #include "scenario/start_check.h"
+#include "scenario/state_scenario.h"
 #include "scenario/variation.h"
 #include "workflow/resources.h"
 
@@ -94,6 +96,19 @@ private:
     std::map<std::string, Expected<std::optional<std::string>>> texts_;
 };
 
+/// A variant that begins where its trial branched.
+Expected<LoadedScenario> goingOnFrom(const BranchPoint& point, const LoadedScenario& variant,
+                                     const PluginLoader& plugins) {
+    if (!point.isReached())
+        return fail("", point.before.end == RunEnd::fault
+                            ? "before it branched, a controller failed: " + point.before.statistics.firstFault
+                            : "it does not come to hold");
+    const Scenario scenario(variant.parts);
+    const auto value = withState(variant.value, scenario, branchedState(point, scenario, point.before.state.seed));
+    if (!value) return tl::unexpected(value.error());
+    return loadScenario(*value, ScenarioLoading{plugins});
+}
+
 /// A trial of an experiment.
 Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioRequest& request,
                                    const PluginLoader& plugins, OpenedTrial& opened) {
@@ -113,6 +128,17 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
     auto trial = TrialMaker(experiment, expressions, {plugins}).make(number);
     if (!trial) return tl::unexpected(trial.error());
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
+    if (trial->before) {
+        if (request.plugins.loaded) request.plugins.loaded(trial->before->parts);
+        const auto point = runToBranch(experiment, expressions, std::move(trial->before->parts), trial->drawn);
+        if (!point) return tl::unexpected(point.error());
+        auto begun = goingOnFrom(*point, loaded, plugins);
+        if (!begun)
+            return tl::unexpected(experiment.branch.placed(
+                begun.error().cause + " (trial " + std::to_string(number) + ')', experiment.file));
+        loaded = std::move(*begun);
+        trial->drawn = point->drawn;
+    }
     opened = {experiment.file,         number,           variant->name,
               std::move(trial->drawn), experiment.until, ticksBetweenLooks(experiment, loaded.parts.scene)};
     return std::move(loaded);
