@@ -8,6 +8,7 @@
 #include "behaviour/dynamic_window.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/small_field.h"
+#include "behaviour/team_player.h"
 #include "behaviour/wander.h"
 #include "scenario/obstacle_sensors.h"
 #include "sensing/bumpers.h"
@@ -38,6 +39,14 @@ RobotType sensingRobot() {
     return type;
 }
 
+/// With the other of them, and with a robot that tells nothing.
+TeamPlayer::Options inATeam() {
+    TeamPlayer::Options options;
+    options.chase.target = {6, 2};
+    options.team = {{3, "3"}, {4, "4"}, {6, "6"}};
+    return options;
+}
+
 std::vector<std::shared_ptr<const Controller>> builtIn() {
     std::vector<StampedCommand> script;
     for (int i = 0; i < 300; ++i) script.push_back({i * 77'000'000LL - 400'000'000, {0.3, i % 7 * 0.2 - 0.6}});
@@ -46,7 +55,9 @@ std::vector<std::shared_ptr<const Controller>> builtIn() {
                 GoToPose::Options{.targets = {{1, 1, 0}, {5, 3, 2}}, .loop = true, .backwards = true}),
             std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {6, 2}}),
             std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {0, 2}}),
+            std::make_shared<const TeamPlayer>(inATeam()),
             std::make_shared<const Wander>(Wander::Options{}),
+            std::make_shared<const TeamPlayer>(inATeam()),
             std::make_shared<const DynamicWindow>(DynamicWindow::Options{
                 .waypoints = {{1, 3}, {5, 1}}, .loop = true, .sensors = obstacleSensors(sensingRobot())})};
 }
@@ -56,7 +67,7 @@ Scenario allRobots() {
     const RobotType type = sensingRobot();
     const auto controllers = builtIn();
     for (std::size_t i = 0; i < controllers.size(); ++i)
-        world.robot(type, {0.7 + 0.9 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
+        world.robot(type, {0.6 + 0.65 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
                     controllers[i], noisyDrive(), static_cast<std::int64_t>(i));
     world.object(ballType(), {3, 2, 0}, {0.4, 0.1, 0});
     return world.scenario();
