@@ -100,6 +100,8 @@ const char* endText(RunEnd end, bool conditional) {
             return ", interrupted";
         case RunEnd::duration:
             return conditional ? ", in which the condition was never met" : "";
+        case RunEnd::noBranch:
+            break;
     }
     return "";
 }

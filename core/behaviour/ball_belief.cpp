@@ -25,10 +25,11 @@ void BallBelief::roll(double seconds) {
     velocity = (1 - rollingDeceleration * duration / speed) * velocity;
 }
 
-Point BallBelief::in(double seconds) const {
+BallBelief BallBelief::after(double seconds) const {
     BallBelief later = *this;
     later.roll(seconds);
-    return later.position;
+    later.variance += unrest * seconds;
+    return later;
 }
 
 void BallBelief::takeIn(const Point& place, Nanoseconds measured, double range) {

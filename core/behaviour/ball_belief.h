@@ -19,7 +19,8 @@ struct BallBelief {
 
     /// `motion` and `self` have been updated already.
     void update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self);
-    Point in(double seconds) const;  ///< where it will be if nothing touches it
+    BallBelief after(double seconds) const;  ///< as it will be if nothing touches it; its time stays
+    Point in(double seconds) const { return after(seconds).position; }
 
 private:
     void takeIn(const Point& place, Nanoseconds measured, double range);

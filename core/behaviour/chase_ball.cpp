@@ -5,28 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "behaviour/back_off.h"
-#include "behaviour/ball_belief.h"
 #include "behaviour/dice.h"
 #include "behaviour/memory_entries.h"
-#include "behaviour/pushing_way.h"
 #include "behaviour/steering.h"
 #include "geometry/point.h"
 
 namespace mrose {
 namespace {
 
-enum Phase : std::int64_t {
-    searching,
-    roaming,
-    goingBehind,
-    pushing,
-    straightOn,
-    backingOff,
-    sweeping,
-    waiting,
-    striking
-};
 constexpr std::array phaseNames{"searching",
                                 "roaming",
                                 "going behind the ball",
@@ -60,26 +46,7 @@ Point unit(const Point& vector) { return (1 / std::max(1e-9, length(vector))) * 
 
 }  // namespace
 
-struct ChaseBall::Memory {
-    MotionMemory motion;
-    OwnBelief self;
-    BackOff backOff;
-    BallBelief ball;
-    WallStroke stroke;
-    std::int64_t phase;
-    Nanoseconds phaseEnd;  ///< of searching, roaming, going straight on and sweeping
-    Nanoseconds nextKick;
-    Point aim;    ///< in the world's frame
-    double turn;  ///< 1 or -1, to the left or right, of searching and sweeping
-};
-
-/// What counts for the way round the ball, when the command takes effect.
-struct ChaseBall::Situation {
-    Pose robot;
-    Point ball;
-    std::vector<FloorPlan::Wall> walls;  ///< near the ball
-    PushingWay way;
-};
+const char* ChaseBall::name(std::int64_t phase) { return phaseNames[static_cast<std::size_t>(phase)]; }
 
 std::size_t ChaseBall::memorySize() const {
     static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) +
@@ -204,11 +171,17 @@ bool ChaseBall::mustWait(const Situation& now, const Observation& observation, c
 /// Some way off, on the side that the target is not on, and looks at the ball.
 Command ChaseBall::wait(const Situation& now, const Observation& observation, Memory& memory) const {
     memory.phase = waiting;
-    memory.aim = now.ball + waitAt * unit(now.way.out - waitAside * unit(options_.target - now.ball));
-    const Placement frame(now.robot);
+    const Point place = now.ball + waitAt * unit(now.way.out - waitAside * unit(options_.target - now.ball));
+    return standBy(place, now.ball, observation, memory);
+}
+
+Command ChaseBall::standBy(const Point& place, const Point& watched, const Observation& observation,
+                           Memory& memory) const {
+    memory.aim = place;
+    const Placement frame(memory.self.pose * memory.motion.motionDuring(options_.deadTime));
     const Point aim_B = frame.placeBack(memory.aim);
     if (length(aim_B) < waitWithin) {
-        const double turn = turnGain * direction(frame.placeBack(now.ball));
+        const double turn = turnGain * direction(frame.placeBack(watched));
         return {0, std::clamp(turn, -options_.rotation, options_.rotation)};
     }
     if (aim_B.x < 0) {  // tail first, out of where others want to go
@@ -220,8 +193,7 @@ Command ChaseBall::wait(const Situation& now, const Observation& observation, Me
 }
 
 void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
-    decision.annotations.push_back(
-        {.kind = Annotation::Kind::text, .label = "state", .text = phaseNames[static_cast<std::size_t>(memory.phase)]});
+    decision.annotations.push_back({.kind = Annotation::Kind::text, .label = "state", .text = name(memory.phase)});
     if (memory.ball.known == 0) return;
     const Point ball = memory.ball.position;
     decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "ball", .points = {ball}});
@@ -231,10 +203,8 @@ void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
         {.kind = Annotation::Kind::line, .label = "shot", .points = {ball, options_.target}});
 }
 
-std::vector<MemoryEntry> ChaseBall::explain(std::span<const std::byte> bytes) const {
-    const Memory& memory = as<Memory>(bytes);
+void ChaseBall::explain(const Memory& memory, std::vector<MemoryEntry>& entries) const {
     const Nanoseconds now = memory.motion.now();
-    std::vector<MemoryEntry> entries{{.name = "state", .text = phaseNames[static_cast<std::size_t>(memory.phase)]}};
     entries.push_back({"state lasts for", toSeconds(std::max<Nanoseconds>(0, memory.phaseEnd - now)), "s"});
     entries.push_back({"may kick in", toSeconds(std::max<Nanoseconds>(0, memory.nextKick - now)), "s"});
     entries.push_back({"aim x", memory.aim.x, "m"});
@@ -243,7 +213,32 @@ std::vector<MemoryEntry> ChaseBall::explain(std::span<const std::byte> bytes) co
     explainBall(memory.ball, now, entries);
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
+}
+
+std::vector<MemoryEntry> ChaseBall::explain(std::span<const std::byte> bytes) const {
+    const Memory& memory = as<Memory>(bytes);
+    std::vector<MemoryEntry> entries{{.name = "state", .text = name(memory.phase)}};
+    explain(memory, entries);
     return entries;
+}
+
+std::optional<Command> ChaseBall::backOff(const Observation& observation, Memory& memory) const {
+    return memory.backOff.update(observation, memory.motion,
+                                 {options_.speed, options_.rotation, options_.deadTime, turnAway});
+}
+
+Command ChaseBall::play(const Observation& observation, Memory& memory, Decision& decision) const {
+    if (const std::optional<Command> back = backOff(observation, memory)) {
+        memory.phase = backingOff;
+        memory.stroke.stop();
+        // Every other time it tries the ball from where it is: the place behind it may be out of reach.
+        memory.phaseEnd = observation.time + fromSeconds(straightFor);
+        return *back;
+    }
+    if (memory.phase == sweeping && observation.time < memory.phaseEnd) return sweep(memory);
+    if (memory.ball.known == 0) return search(observation, memory);
+    if (memory.phase == backingOff && memory.backOff.times % 2 == 1) memory.phase = straightOn;
+    return chase(observation, memory, decision);
 }
 
 void ChaseBall::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {
@@ -253,22 +248,7 @@ void ChaseBall::decide(const Observation& observation, std::span<std::byte> byte
     decision.command = Command{};
     if (memory.self.known != 0) {
         memory.ball.update(observation, memory.motion, memory.self);
-        const std::optional<Command> back = memory.backOff.update(
-            observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, turnAway});
-        if (back) {
-            decision.command = *back;
-            memory.phase = backingOff;
-            memory.stroke.stop();
-            // Every other time it tries the ball from where it is: the place behind it may be out of reach.
-            memory.phaseEnd = observation.time + fromSeconds(straightFor);
-        } else if (memory.phase == sweeping && observation.time < memory.phaseEnd) {
-            decision.command = sweep(memory);
-        } else if (memory.ball.known == 0) {
-            decision.command = search(observation, memory);
-        } else {
-            if (memory.phase == backingOff && memory.backOff.times % 2 == 1) memory.phase = straightOn;
-            decision.command = chase(observation, memory, decision);
-        }
+        decision.command = play(observation, memory, decision);
         annotate(memory, decision);
     }
     memory.motion.issue(*decision.command);

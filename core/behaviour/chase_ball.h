@@ -4,7 +4,11 @@
 #include <optional>
 #include <utility>
 
+#include "behaviour/back_off.h"
+#include "behaviour/ball_belief.h"
 #include "behaviour/floor_plan.h"
+#include "behaviour/own_belief.h"
+#include "behaviour/pushing_way.h"
 #include "behaviour/wall_stroke.h"
 #include "control/controller.h"
 #include "geometry/point.h"
@@ -34,19 +38,64 @@ public:
         std::shared_ptr<const FloorPlan> walls = std::make_shared<const FloorPlan>();
     };
 
+    enum Phase : std::int64_t {
+        searching,
+        roaming,
+        goingBehind,
+        pushing,
+        straightOn,
+        backingOff,
+        sweeping,
+        waiting,
+        striking
+    };
+    static const char* name(std::int64_t phase);
+
+    struct Memory {
+        MotionMemory motion;
+        OwnBelief self;
+        BackOff backOff;
+        BallBelief ball;
+        WallStroke stroke;
+        std::int64_t phase;
+        Nanoseconds phaseEnd;  ///< of searching, roaming, going straight on and sweeping
+        Nanoseconds nextKick;
+        Point aim;    ///< in the world's frame
+        double turn;  ///< 1 or -1, to the left or right, of searching and sweeping
+    };
+
+    /// What counts for the way round the ball, when the command takes effect.
+    struct Situation {
+        Pose robot;
+        Point ball;
+        std::vector<FloorPlan::Wall> walls;  ///< near the ball
+        PushingWay way;
+    };
+
     explicit ChaseBall(Options options) : options_(std::move(options)) {}
+
+    // For controllers that chase the ball now and then, or know more of it than they see. Of the memory, motion, own
+    // pose and ball are those of now, and the pose is known.
+
+    const Options& options() const { return options_; }
+    Situation situation(const Memory& memory) const;
+    /// What it does about the ball.
+    Command play(const Observation& observation, Memory& memory, Decision& decision) const;
+    /// What gets the robot off where it does not get on; nullopt: it does.
+    std::optional<Command> backOff(const Observation& observation, Memory& memory) const;
+    /// Looks for a ball of which nothing is known.
+    Command search(const Observation& observation, Memory& memory) const;
+    /// Goes to a place and looks from there at something.
+    Command standBy(const Point& place, const Point& watched, const Observation& observation, Memory& memory) const;
+    void explain(const Memory& memory, std::vector<MemoryEntry>& entries) const;
 
     std::size_t memorySize() const override;
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:
-    struct Memory;
-    struct Situation;
     DriveLimits limits() const;
-    Situation situation(const Memory& memory) const;
     Command chase(const Observation& observation, Memory& memory, Decision& decision) const;
-    Command search(const Observation& observation, Memory& memory) const;
     Command sweep(const Memory& memory) const;
     Command wait(const Situation& now, const Observation& observation, Memory& memory) const;
     Point aim(const Situation& now, Memory& memory) const;

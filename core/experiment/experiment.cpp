@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "experiment/batch.h"
+#include "experiment/branching.h"
 #include "experiment/experiment_row.h"
 #include "experiment/trial_run.h"
 #include "io/shell_quoted.h"
@@ -59,6 +60,18 @@ private:
     void runTrial(Workplace& place, std::uint32_t number) {
         auto trial = place.maker.make(number);
         if (!trial) return fail(trial.error());
+        std::optional<BranchPoint> point;
+        if (trial->before) {
+            if (options_.loaded) options_.loaded(trial->before->parts);
+            auto come = runToBranch(experiment_, place.expressions, std::move(trial->before->parts), trial->drawn,
+                                    [this] { return goesOn(); });
+            if (!come) return fail(come.error());
+            if (come->before.end == RunEnd::stopped) {
+                stop_ = true;
+                return;
+            }
+            point.emplace(std::move(*come));
+        }
         for (std::size_t variant = 0; variant < experiment_.variants.size(); ++variant) {
             ScenarioParts& parts = trial->scenarios[variant].parts;
             if (options_.loaded) options_.loaded(parts);
@@ -70,7 +83,8 @@ private:
                     if (file_.has(key)) continue;
                 }
                 if (options_.begins) options_.begins(key);
-                const auto row = rowOf(place, scenario, trial->drawn, key);
+                const auto row =
+                    point ? rowOf(place, *point, scenario, key) : rowOf(place, scenario, trial->drawn, key);
                 const std::lock_guard lock(mutex_);
                 if (stop_) return;
                 if (!row) return failNow(row.error());
@@ -81,10 +95,23 @@ private:
         }
     }
 
+    bool goesOn() const { return !stop_ && (!options_.goesOn || options_.goesOn()); }
+
     Expected<std::string> rowOf(Workplace& place, const Scenario& scenario, const DrawnValues& drawn,
                                 const RunKey& key) {
-        const auto measured = measuredRun(experiment_, place.expressions, scenario, drawn, key.seed,
-                                          [this] { return !stop_ && (!options_.goesOn || options_.goesOn()); });
+        const auto measured =
+            measuredRun(experiment_, place.expressions, scenario, drawn, key.seed, [this] { return goesOn(); });
+        return rowOf(measured, scenario, drawn, key);
+    }
+    /// Of a variant that goes on from where its trial branched.
+    Expected<std::string> rowOf(Workplace& place, const BranchPoint& point, const Scenario& variant,
+                                const RunKey& key) {
+        const auto measured =
+            measuredRun(experiment_, place.expressions, point, variant, key.seed, [this] { return goesOn(); });
+        return rowOf(measured, variant, point.drawn, key);
+    }
+    Expected<std::string> rowOf(const Expected<MeasuredRun>& measured, const Scenario& scenario,
+                                const DrawnValues& drawn, const RunKey& key) {
         if (!measured) return tl::unexpected(measured.error());
         if (measured->result.end == RunEnd::stopped) stop_ = true;
         std::string flags = " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);

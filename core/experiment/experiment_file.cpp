@@ -78,6 +78,10 @@ private:
         if (experiment_.every > duration) root_.reject("every_s", "is longer than a run");
         if (root_.has("require")) experiment_.require = expression(root_, "require");
         if (root_.has("until")) experiment_.until = expression(root_, "until");
+        if (root_.has("branch")) experiment_.branch = expression(root_, "branch");
+        experiment_.branchWithin = durationOr(root_, "branch_within_s", duration, {0.001, 1e6});
+        if (root_.has("branch_within_s") && experiment_.branch.empty())
+            root_.reject("branch_within_s", "is there without `branch`");
         if (root_.failed()) return;
         keep(root_, "duration_s", "duration_s", toSeconds(duration));
         keep(root_, "seed", "seed", static_cast<std::int64_t>(experiment_.seed));
@@ -105,6 +109,8 @@ private:
         if (std::ranges::find(luaKeywords, draw.name) != luaKeywords.end())
             table.reject("name", "is a word of Lua: expressions could not name it");
         if (!names_.insert(draw.name).second) table.reject("name", "is the name of another draw, too");
+        if (!experiment_.branch.empty() && draw.name == branchedAt)
+            table.reject("name", "is what expressions call the instant of the branch");
         if (table.has("path")) {
             const Value* const path = table.value("path");
             if (path->asArray() != nullptr)

@@ -85,12 +85,19 @@ struct Experiment {
     std::uint32_t seeds = 1;  ///< runs of each trial, with one seed after the other
     Nanoseconds every = 0;    ///< how often a trial is looked at; a tick where it is 0
     FileExpression require, until;
+    /// Until it holds, a trial goes as the scenario is written; then each variant goes on from a copy of that state,
+    /// where features are asked and measuring begins. Empty: variants differ from the start on.
+    FileExpression branch;
+    Nanoseconds branchWithin = 0;  ///< after so long it does not branch any more
     std::vector<Draw> draws;
     std::vector<Variant> variants;      ///< at least one; without any in the file one without a name
     std::vector<Value::File> settings;  ///< files that variants name
     std::vector<Feature> features;
     std::vector<Measure> measures;
 };
+
+/// What expressions of an experiment that branches have among what was drawn: when it did, s.
+constexpr const char* branchedAt = "branch_s";
 
 /// Error: file, line, column and key of the first thing wrong, in the scenario too. What expressions say is not looked
 /// at.

@@ -64,7 +64,8 @@ std::string experimentRow(const Experiment& experiment, const RunKey& key, const
     const std::string time = plainSeconds(result.state.tick * tick);
     std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + std::to_string(key.variant) +
                        ',' + csvCell(experiment.variants[key.variant - 1].name) + ',' + name(result.end) + ',' + time;
-    for (std::size_t i = 0; i < drawn.size(); ++i) line += ',' + drawnText(drawn[i].value, experiment.draws[i]);
+    for (std::size_t i = 0; i < experiment.draws.size(); ++i)
+        line += ',' + drawnText(drawn[i].value, experiment.draws[i]);
     for (const double feature : measurement.features()) line += ',' + measuredText(feature);
     for (const double measure : measurement.measures()) line += ',' + measuredText(measure);
     return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + csvCell(commands.alone) + ',' +

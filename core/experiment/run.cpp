@@ -12,6 +12,8 @@ const char* name(RunEnd end) {
             return "rewind";
         case RunEnd::stopped:
             return "stopped";
+        case RunEnd::noBranch:
+            return "no branch";
         case RunEnd::duration:
             break;
     }

@@ -12,7 +12,7 @@
 
 namespace mrose {
 
-enum class RunEnd { duration, condition, fault, rewind, stopped };
+enum class RunEnd { duration, condition, fault, rewind, stopped, noBranch };
 const char* name(RunEnd end);
 
 struct RunOptions {

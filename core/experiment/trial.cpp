@@ -77,12 +77,13 @@ Expected<DrawnValues> TrialMaker::draw(std::uint32_t number, int attempt) {
         if (!value) return tl::unexpected(value.error());
         drawn.push_back({experiment_.draws[i].name, std::move(*value)});
     }
+    if (!experiment_.branch.empty()) drawn.push_back({branchedAt, 0.0});
     return drawn;
 }
 
 Expected<ScenarioValue> TrialMaker::drawnScenario(const DrawnValues& drawn) const {
     ScenarioValue value = experiment_.scenario;
-    for (std::size_t i = 0; i < drawn.size(); ++i)
+    for (std::size_t i = 0; i < experiment_.draws.size(); ++i)
         for (const std::string& path : experiment_.draws[i].paths) {
             auto changed = value.with(path, drawn[i].value);
             if (!changed) return tl::unexpected(changed.error());
@@ -92,7 +93,7 @@ Expected<ScenarioValue> TrialMaker::drawnScenario(const DrawnValues& drawn) cons
 }
 
 ScenarioValue TrialMaker::withoutBodies(ScenarioValue value, const DrawnValues& drawn) const {
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
+    for (std::size_t i = 0; i < experiment_.draws.size(); ++i) {
         const Draw& draw = experiment_.draws[i];
         if (draw.kind != Draw::Kind::bodies) continue;
         for (auto k = static_cast<std::size_t>(*drawn[i].value.asFloat()); k < draw.bodies.size(); ++k)
@@ -128,6 +129,13 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
         if (!value) return tl::unexpected(value.error());
         Trial trial{std::move(*drawn), {}};
         bool wanted = true;
+        if (!experiment_.branch.empty()) {
+            const ScenarioValue before = withoutBodies(*value, trial.drawn);
+            auto loaded = scenarioOf(before);
+            if (!loaded) return tl::unexpected(told(loaded.error(), before, number));
+            if (!*loaded) continue;
+            trial.before = std::move(**loaded);
+        }
         for (const Variant& variant : experiment_.variants) {
             ScenarioValue varied = *value;
             for (const auto& [path, set] : variant.set) {

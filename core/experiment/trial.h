@@ -17,6 +17,7 @@ namespace mrose {
 struct Trial {
     DrawnValues drawn;
     std::vector<LoadedScenario> scenarios;
+    std::optional<LoadedScenario> before = {};  ///< as it goes until it branches, where it does
 };
 
 /// Makes the trials of an experiment, each the same whoever makes it and in whatever order. For one thread: it keeps

@@ -25,7 +25,7 @@ std::string signatureOf(const Scene& scene) {
 }
 
 std::vector<const FileExpression*> allOf(const Experiment& experiment) {
-    std::vector<const FileExpression*> all{&experiment.require, &experiment.until};
+    std::vector<const FileExpression*> all{&experiment.require, &experiment.branch, &experiment.until};
     for (const Feature& feature : experiment.features) all.push_back(&feature.expression);
     for (const Measure& measure : experiment.measures) all.push_back(&measure.expression);
     return all;
@@ -82,6 +82,7 @@ Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) co
         return {};
     };
     Expected<void> done = condition(experiment_.require, all.require);
+    if (done) done = condition(experiment_.branch, all.branch);
     if (done) done = condition(experiment_.until, all.until);
     for (const Feature& feature : experiment_.features)
         if (done) done = value(feature.expression, all.features);
@@ -120,6 +121,11 @@ Expected<void> TrialMeasurement::begin(const Moment& start) {
         if (of >= Measure::Of::mean && of != Measure::Of::first) measures_[i] = 0;
     }
     return {};
+}
+
+void TrialMeasurement::skip() {
+    features_.assign(expressions_.features.size(), never);
+    measures_.assign(experiment_.measures.size(), never);
 }
 
 Expected<double> TrialMeasurement::valueOf(std::size_t measure, const Moment& at) {

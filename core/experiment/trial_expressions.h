@@ -12,7 +12,7 @@ namespace mrose {
 
 /// The expressions of an experiment, compiled for scenarios with the same bodies and goals.
 struct CompiledExpressions {
-    std::optional<Condition> require, until;
+    std::optional<Condition> require, branch, until;
     std::vector<WorldValue> features, measures;
     bool follows = false;  ///< `until` or a measure reads what robots saw and decided
 };
@@ -42,6 +42,8 @@ public:
 
     /// Asks the features, at the run's start.
     Expected<void> begin(const Moment& start);
+    /// Of a run that did not come to where it begins: nothing is known.
+    void skip();
     /// A look at it. Gives whether the trial is over.
     Expected<bool> look(const Moment& at);
     /// At its end, after the last look.

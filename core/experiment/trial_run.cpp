@@ -22,32 +22,63 @@ std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene)
     return std::max<std::int64_t>(1, experiment.every / scene.tickLength);
 }
 
-Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const Scenario& scenario,
-                                  const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn) {
-    const WorldState start = scenario.initialState(seed);
-    std::vector<RobotInsight> none(start.robots.size());
-    const Moment atStart{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
-    const auto compiled = expressions.of(atStart);
-    if (!compiled) return tl::unexpected(compiled.error());
-    const std::int64_t every = ticksBetweenLooks(experiment, scenario.scene());
-    TrialMeasurement measurement(experiment, **compiled, every * scenario.scene().tickLength);
-    if (const auto begun = measurement.begin(atStart); !begun) return tl::unexpected(begun.error());
+namespace {
+
+/// From a start; `asked` is the moment at which features are asked.
+Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledExpressions& compiled,
+                                   TrialMeasurement measurement, const Moment& asked, const Scenario& scenario,
+                                   WorldState start, const GoesOn& goesOn) {
+    if (const auto begun = measurement.begin(asked); !begun) return tl::unexpected(begun.error());
     RunOptions options;
     options.duration = scenario.parts().duration;
     options.endOnFault = true;
-    options.watchFollows = (*compiled)->follows;
-    options.every = every;
-    options.drawn = &drawn;
+    options.watchFollows = compiled.follows;
+    options.every = ticksBetweenLooks(experiment, scenario.scene());
+    options.drawn = asked.drawn;
     options.watch = [&](const Moment& at) { return measurement.look(at); };
     std::optional<Error> wrong;
     options.finally = [&](const Moment& at) {
         if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
     };
     options.each = [&](const WorldState&, const StepTrace&) { return !goesOn || goesOn(); };
-    auto result = run(scenario, start, options);
+    auto result = run(scenario, std::move(start), options);
     if (!result) return tl::unexpected(result.error());
     if (wrong) return tl::unexpected(*wrong);
     return MeasuredRun{std::move(*result), std::move(measurement)};
+}
+
+TrialMeasurement measurementOf(const Experiment& experiment, CompiledExpressions& compiled, const Scenario& scenario) {
+    return {experiment, compiled, ticksBetweenLooks(experiment, scenario.scene()) * scenario.scene().tickLength};
+}
+
+}  // namespace
+
+Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const Scenario& scenario,
+                                  const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn) {
+    WorldState start = scenario.initialState(seed);
+    const std::vector<RobotInsight> none(start.robots.size());
+    const Moment atStart{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
+    const auto compiled = expressions.of(atStart);
+    if (!compiled) return tl::unexpected(compiled.error());
+    return measuredFrom(experiment, **compiled, measurementOf(experiment, **compiled, scenario), atStart, scenario,
+                        start, goesOn);
+}
+
+Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const BranchPoint& point,
+                                  const Scenario& variant, std::uint64_t seed, const GoesOn& goesOn) {
+    const std::vector<RobotInsight> none(point.before.state.robots.size());
+    const Moment atBranch{
+        .scenario = point.scenario.get(), .state = &point.before.state, .insights = none, .drawn = &point.drawn};
+    const auto compiled = expressions.of(atBranch);
+    if (!compiled) return tl::unexpected(compiled.error());
+    TrialMeasurement measurement = measurementOf(experiment, **compiled, variant);
+    if (point.isReached())
+        return measuredFrom(experiment, **compiled, std::move(measurement), atBranch, variant,
+                            branchedState(point, variant, seed), goesOn);
+    measurement.skip();
+    RunResult result = point.before;
+    if (result.end == RunEnd::duration) result.end = RunEnd::noBranch;
+    return MeasuredRun{std::move(result), std::move(measurement)};
 }
 
 }  // namespace mrose

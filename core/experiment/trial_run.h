@@ -5,6 +5,7 @@
 #include <mutex>
 #include <vector>
 
+#include "experiment/branching.h"
 #include "experiment/experiment_file.h"
 #include "experiment/run.h"
 #include "experiment/trial.h"
@@ -49,5 +50,8 @@ struct MeasuredRun {
 /// expression cannot be answered.
 Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const Scenario& scenario,
                                   const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn);
+/// The same from where a trial branches; where it does not, its end is RunEnd::noBranch, or the fault before.
+Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const BranchPoint& point,
+                                  const Scenario& variant, std::uint64_t seed, const GoesOn& goesOn);
 
 }  // namespace mrose

@@ -11,7 +11,9 @@
 #include "behaviour/free_ball.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/navigate.h"
+#include "behaviour/team_player.h"
 #include "behaviour/wander.h"
+#include "behaviour/way_to_ball.h"
 #include "io/toml_text.h"
 #include "motion/kinematic.h"
 #include "plugin/load_plugin.h"
@@ -168,7 +170,7 @@ WallStroke::Options wallStroke(TomlTable& table, const Context& context) {
     return options;
 }
 
-ControllerSetting chaseBall(const Context& context) {
+ChaseBall::Options chasing(const Context& context) {
     ChaseBall::Options options;
     TomlTable& table = context.table;
     options.target = point(table, "target_m", metresFar);
@@ -189,7 +191,7 @@ ControllerSetting chaseBall(const Context& context) {
         options.stroke->speed = options.speed;
         options.stroke->rotation = options.rotation;
     }
-    return {std::make_shared<ChaseBall>(options)};
+    return options;
 }
 
 ControllerSetting freeBall(const Context& context) {
@@ -206,6 +208,51 @@ ControllerSetting freeBall(const Context& context) {
     options.walls = context.driven.walls;
     options.deadTime = table.numberOr("dead_time_s", context.driven.robot.deadTime, deadTimes);
     return {std::make_shared<FreeBall>(options)};
+}
+
+ControllerSetting chaseBall(const Context& context) { return {std::make_shared<ChaseBall>(chasing(context))}; }
+
+/// Those that its messages reach, and itself; as of teamsOf().
+std::vector<TeamPlayer::Member> teamOf(const DrivenRobot& driven) {
+    const bool teams = std::ranges::any_of(driven.robots, [](const NamedRobot& robot) { return !robot.team.empty(); });
+    const std::string& own = driven.robots[driven.index].team;
+    std::vector<TeamPlayer::Member> team;
+    for (std::size_t i = 0; i < driven.robots.size(); ++i)
+        if (i == driven.index || !teams || (!own.empty() && driven.robots[i].team == own))
+            team.push_back({static_cast<std::uint32_t>(i), driven.robots[i].name});
+    return team;
+}
+
+ControllerSetting teamPlayer(const Context& context) {
+    TeamPlayer::Options options;
+    TomlTable& table = context.table;
+    options.chase = chasing(context);
+    options.ownGoal = -1 * options.chase.target;
+    if (table.has("own_goal_m")) options.ownGoal = point(table, "own_goal_m", metresFar);
+    options.keeper = table.booleanOr("keeper", options.keeper);
+    options.team = teamOf(context.driven);
+    if (options.team.size() > RoleChoice::most)
+        table.reject("kind", "its team has " + std::to_string(options.team.size()) + " robots; expected at most " +
+                                 std::to_string(RoleChoice::most) + ", with `team` in their tables");
+    constexpr std::array choices{std::string_view("time"), std::string_view("nearest"),
+                                 std::string_view("distance_over_speed"), std::string_view("fixed")};
+    options.choose = static_cast<TeamPlayer::Choose>(table.choice("choose", choices));
+    // What another way of choosing needs may stand there, too, for variants of a scenario.
+    if (options.choose == TeamPlayer::Choose::time || table.has("time"))
+        options.time = context.library.mapping(table, "time", context.from, wayToBallNames, {"time_s"});
+    constexpr const char* nobody = "nobody";
+    if (const std::string goes = nameOr(table, "goes", nobody); goes != nobody) {
+        const auto found = std::ranges::find(options.team, goes, &TeamPlayer::Member::name);
+        if (!table.failed() && found == options.team.end())
+            table.reject("goes", '"' + goes + "\" is none of its team; expected one of it, or \"nobody\"");
+        options.goes = found - options.team.begin() + 1;
+    }
+    const double seconds = table.numberOr("hysteresis_s", 0, {0, 1000});
+    const double metres = table.numberOr("hysteresis_m", 0, {0, 1000});
+    options.role.hysteresis = options.choose == TeamPlayer::Choose::nearest ? metres : seconds;
+    const Nanoseconds agree = durationOr(table, "agree_s", options.role.agree * RoleChoice::slotLength, {0, 0.5});
+    options.role.agree = (agree + RoleChoice::slotLength - 1) / RoleChoice::slotLength;
+    return {std::make_shared<TeamPlayer>(std::move(options))};
 }
 
 ControllerSetting wander(const Context& context) {
@@ -325,8 +372,8 @@ struct Kind {
 };
 constexpr std::array kinds{
     Kind{"velocity_script", velocityScript}, Kind{"log_player", logPlayer}, Kind{"go_to_pose", goToPose},
-    Kind{"chase_ball", chaseBall},           Kind{"free_ball", freeBall},   Kind{"wander", wander},
-    Kind{"dynamic_window", dynamicWindow},   Kind{"navigate", navigate},    Kind{"plugin", plugin}};
+    Kind{"chase_ball", chaseBall}, Kind{"free_ball", freeBall}, Kind{"team_player", teamPlayer}, Kind{"wander", wander},
+    Kind{"dynamic_window", dynamicWindow}, Kind{"navigate", navigate}, Kind{"plugin", plugin}};
 
 }  // namespace
 

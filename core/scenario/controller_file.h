@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "behaviour/floor_plan.h"
 #include "control/controller.h"
@@ -21,12 +22,19 @@ struct ControllerSetting {
     std::optional<LogExcerpt> played = {};         ///< of a log player
 };
 
+/// A robot or person of the scenario, as others name it.
+struct NamedRobot {
+    std::string name, team;
+};
+
 /// Whom it drives: options that the file leaves out are derived from the robot.
 struct DrivenRobot {
     const RobotDescription& robot;
     double ballRadius = 0;  ///< m, of the scenario's ball; 0 where there is none
     std::shared_ptr<const FloorPlan> walls;
     const Environment& environment;
+    const std::vector<NamedRobot>& robots;  ///< all of the scenario
+    std::size_t index = 0;                  ///< its own among them
 };
 
 /// Reads `controller = { kind = ..., ... }` of the scenario file called `from`. resources/README.md lists the kinds and

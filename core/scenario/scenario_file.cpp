@@ -19,13 +19,31 @@ namespace {
 
 constexpr std::int64_t mostNumber = 1'000'000;  // of a robot
 
+/// As they are written; what is wrong with them is said where each is read.
+std::vector<NamedRobot> robotsNamedIn(const Value& content) {
+    std::vector<NamedRobot> robots;
+    for (const char* const kind : {"robot", "person"}) {
+        const Value* const all = content.find(kind);
+        if (all == nullptr || all->asArray() == nullptr) continue;
+        for (const Value& robot : *all->asArray()) {
+            const auto textOf = [&](const char* key) {
+                const Value* const value = robot.find(key);
+                return value != nullptr && value->asText() != nullptr ? *value->asText() : std::string();
+            };
+            robots.push_back({textOf("name"), textOf("team")});
+        }
+    }
+    return robots;
+}
+
 class ScenarioReader {
 public:
     ScenarioReader(const ScenarioValue& value, DescriptionLibrary& library, const ScenarioLoading& loading)
         : name_(value.name()),
           library_(library),
           loading_(loading),
-          root_(openDescription(value.content(), library.shown(value.name()), DescriptionKind::scenario)) {}
+          root_(openDescription(value.content(), library.shown(value.name()), DescriptionKind::scenario)),
+          robots_(robotsNamedIn(value.content())) {}
 
     Expected<LoadedScenario> read();
 
@@ -55,6 +73,7 @@ private:
     DescriptionLibrary& library_;
     const ScenarioLoading& loading_;
     TomlTable root_;
+    std::vector<NamedRobot> robots_;
     ScenarioParts parts_;
     Scene& scene_ = parts_.scene;
     std::vector<TomlTable> robotTables_, objectTables_;  ///< of the scene's bodies
@@ -214,8 +233,9 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
     body.model = modelIndex(*robot, body.motionRobot);
     ControllerSetting setting{noController()};
     if (table.has("controller"))
-        setting = readController(table.table("controller"), {*robot, ballRadius(), walls_, scene_.environment}, name_,
-                                 library_, loading_);
+        setting = readController(table.table("controller"),
+                                 {*robot, ballRadius(), walls_, scene_.environment, robots_, scene_.robots.size()},
+                                 name_, library_, loading_);
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "experiment/branching.h"
 #include "experiment/trial.h"
 #include "experiment/trial_run.h"
 #include "io/file.h"
@@ -12,6 +13,7 @@
 #include "io/shell_quoted.h"
 #include "scenario/settings_file.h"
 #include "scenario/start_check.h"
+#include "scenario/state_scenario.h"
 #include "scenario/variation.h"
 #include "validation/validation_file.h"
 #include "workflow/resources.h"
@@ -130,6 +132,19 @@ Expected<std::optional<OpenedExperiment>> experimentOf(const Value::File& file, 
     return std::optional(OpenedExperiment{std::move(*experiment), file->content});
 }
 
+/// A variant that begins where its trial branched.
+Expected<LoadedScenario> goingOnFrom(const BranchPoint& point, const LoadedScenario& variant,
+                                     const PluginLoader& plugins) {
+    if (!point.isReached())
+        return fail("", point.before.end == RunEnd::fault
+                            ? "before it branched, a controller failed: " + point.before.statistics.firstFault
+                            : "it does not come to hold");
+    const Scenario scenario(variant.parts);
+    const auto value = withState(variant.value, scenario, branchedState(point, scenario, point.before.state.seed));
+    if (!value) return tl::unexpected(value.error());
+    return loadScenario(*value, ScenarioLoading{plugins});
+}
+
 /// A trial of an experiment.
 Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioRequest& request,
                                    const PluginLoader& plugins, OpenedTrial& opened) {
@@ -149,6 +164,17 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
     auto trial = TrialMaker(experiment, expressions, {plugins}).make(number);
     if (!trial) return tl::unexpected(trial.error());
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
+    if (trial->before) {
+        if (request.plugins.loaded) request.plugins.loaded(trial->before->parts);
+        const auto point = runToBranch(experiment, expressions, std::move(trial->before->parts), trial->drawn);
+        if (!point) return tl::unexpected(point.error());
+        auto begun = goingOnFrom(*point, loaded, plugins);
+        if (!begun)
+            return tl::unexpected(experiment.branch.placed(
+                begun.error().cause + " (trial " + std::to_string(number) + ')', experiment.file));
+        loaded = std::move(*begun);
+        trial->drawn = point->drawn;
+    }
     opened = {experiment.file,         number,           variant->name,
               std::move(trial->drawn), experiment.until, ticksBetweenLooks(experiment, loaded.parts.scene)};
     return std::move(loaded);

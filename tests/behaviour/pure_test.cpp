@@ -10,6 +10,7 @@
 #include "behaviour/go_to_pose.h"
 #include "behaviour/navigate.h"
 #include "behaviour/small_field.h"
+#include "behaviour/team_player.h"
 #include "behaviour/wander.h"
 #include "scenario/obstacle_sensors.h"
 #include "sensing/bumpers.h"
@@ -42,6 +43,14 @@ RobotType sensingRobot() {
 
 constexpr Point field{8, 4};  // m
 
+/// With the other of them, and with a robot that tells nothing.
+TeamPlayer::Options inATeam() {
+    TeamPlayer::Options options;
+    options.chase.target = {6, 2};
+    options.team = {{3, "3"}, {4, "4"}, {6, "6"}};
+    return options;
+}
+
 std::vector<std::shared_ptr<const Controller>> builtIn() {
     std::vector<StampedCommand> script;
     for (int i = 0; i < 300; ++i) script.push_back({i * 77'000'000LL - 400'000'000, {0.3, i % 7 * 0.2 - 0.6}});
@@ -54,8 +63,10 @@ std::vector<std::shared_ptr<const Controller>> builtIn() {
         std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {0, 2}}),
         std::make_shared<const ChaseBall>(
             ChaseBall::Options{.target = {6, 2}, .stroke = WallStroke::Options{}, .walls = walls}),
+        std::make_shared<const TeamPlayer>(inATeam()),
         std::make_shared<const FreeBall>(FreeBall::Options{.walls = walls}),
         std::make_shared<const Wander>(Wander::Options{}),
+        std::make_shared<const TeamPlayer>(inATeam()),
         std::make_shared<const Navigate>(Navigate::Options{.target = {1, 2.5, 1}, .repair = Repair::temporaryTarget}),
         std::make_shared<const DynamicWindow>(DynamicWindow::Options{
             .waypoints = {{1, 3}, {5, 1}}, .loop = true, .sensors = obstacleSensors(sensingRobot())})};
@@ -66,7 +77,7 @@ Scenario allRobots() {
     const RobotType type = sensingRobot();
     const auto controllers = builtIn();
     for (std::size_t i = 0; i < controllers.size(); ++i)
-        world.robot(type, {0.7 + 0.9 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
+        world.robot(type, {0.6 + 0.65 * static_cast<double>(i), i % 2 == 0 ? 1.0 : 3.0, 1.0 * static_cast<double>(i)},
                     controllers[i], noisyDrive(), static_cast<std::int64_t>(i));
     world.object(ballType(), {3, 2, 0}, {0.4, 0.1, 0});
     return world.scenario();

@@ -119,7 +119,8 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"dance\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: is \"dance\"; expected one of \"velocity_script\", "
          "\"log_player\", "
-         "\"go_to_pose\", \"chase_ball\", \"free_ball\", \"wander\", \"dynamic_window\", \"navigate\", \"plugin\""},
+         "\"go_to_pose\", \"chase_ball\", \"free_ball\", \"team_player\", \"wander\", \"dynamic_window\", \"navigate\", "
+         "\"plugin\""},
         {"{ kind = \"wander\", pace = 1 }",
          "s.toml:22:40: robot[\"two\"].controller.pace: is not a known key; expected one of change_every_s, "
          "dead_time_s, kind, rotation_degps, speed_mps"},
@@ -145,6 +146,17 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"free_ball\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: the robot has no ball guide; expected horns that reach 3 cm "
          "farther than its front"},
+        {"{ kind = \"team_player\", target_m = [1, 2] }", "s.toml:22:14: robot[\"two\"].controller.choose: is missing"},
+        {"{ kind = \"team_player\", target_m = [1, 2], choose = \"luck\" }",
+         "s.toml:22:66: robot[\"two\"].controller.choose: is \"luck\"; expected one of \"time\", \"nearest\", "
+         "\"distance_over_speed\", \"fixed\""},
+        {"{ kind = \"team_player\", target_m = [1, 2], choose = \"time\" }",
+         "s.toml:22:14: robot[\"two\"].controller.time: is missing"},
+        {"{ kind = \"team_player\", target_m = [1, 2], choose = \"fixed\", goes = \"nine\" }",
+         "s.toml:22:82: robot[\"two\"].controller.goes: \"nine\" is none of its team; expected one of it, or "
+         "\"nobody\""},
+        {"{ kind = \"team_player\", target_m = [1, 2], choose = \"nearest\", agree_s = 0.7 }",
+         "s.toml:22:87: robot[\"two\"].controller.agree_s: is 0.7; expected 0.0 to 0.5"},
         {"{ kind = \"velocity_script\" }", "s.toml:22:14: robot[\"two\"].controller.commands: is missing"},
         {"{ kind = \"velocity_script\", commands = [{ t_s = 1 }, { t_s = 1 }] }",
          "s.toml:22:75: robot[\"two\"].controller.commands[2].t_s: is not later than that of the command before"},
@@ -159,6 +171,10 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"plugin\" }", "s.toml:22:14: robot[\"two\"].controller.library: is missing"},
     };
     for (const auto& [controller, message] : cases) EXPECT_EQ(withController(controller), message);
+    const std::string motion =
+        withController("{ kind = \"team_player\", target_m = [1, 2], choose = \"time\", time = \"n.net\" }");
+    EXPECT_TRUE(motion.starts_with("n.net:") && motion.find("\"motion\"; expected one of \"task\"") != motion.npos)
+        << motion;
 }
 
 TEST(ScenarioErrors, DynamicWindowNeedsASensorThatFindsObstacles) {

@@ -1,0 +1,38 @@
+#include "experiment/branching.h"
+
+#include "experiment/trial_run.h"
+#include "scenario/carry_over.h"
+
+namespace mrose {
+
+Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions& expressions, ScenarioParts before,
+                                  const DrawnValues& drawn, const std::function<bool()>& goesOn) {
+    auto scenario = std::make_shared<const Scenario>(std::move(before));
+    WorldState start = scenario->initialState(experiment.seed);
+    const std::vector<RobotInsight> none(start.robots.size());
+    const auto compiled =
+        expressions.of({.scenario = scenario.get(), .state = &start, .insights = none, .drawn = &drawn});
+    if (!compiled) return tl::unexpected(compiled.error());
+    Condition& branches = *(*compiled)->branch;
+    RunOptions options;
+    options.duration = experiment.branchWithin;
+    options.drawn = &drawn;
+    options.endOnFault = true;
+    options.every = ticksBetweenLooks(experiment, scenario->scene());
+    options.watchFollows = readsInsights(experiment.branch.text, *scenario);
+    options.watch = [&](const Moment& at) { return branches.holds(at); };
+    if (goesOn) options.each = [&](const WorldState&, const StepTrace&) { return goesOn(); };
+    auto result = run(*scenario, std::move(start), options);
+    if (!result) return tl::unexpected(experiment.branch.placed(result.error(), experiment.file));
+    BranchPoint point{std::move(scenario), std::move(*result), drawn};
+    point.drawn.back().value = toSeconds(point.scenario->scene().timeOf(point.before.state.tick));
+    return point;
+}
+
+WorldState branchedState(const BranchPoint& point, const Scenario& variant, std::uint64_t seed) {
+    WorldState state = carriedOver(*point.scenario, point.before.state, variant);
+    state.seed = seed;
+    return state;
+}
+
+}  // namespace mrose

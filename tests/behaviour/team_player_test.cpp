@@ -1,0 +1,167 @@
+#include "behaviour/team_player.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "behaviour/small_field.h"
+#include "behaviour/way_to_ball.h"
+
+namespace mrose {
+namespace {
+
+TeamPlayer::Options options(std::size_t players) {
+    TeamPlayer::Options made;
+    made.chase.target = {9, 2.5};
+    made.chase.walls = floorPlanOf(walledField(9, 5));
+    made.ownGoal = {0, 2.5};
+    for (std::uint32_t i = 0; i < players; ++i) made.team.push_back({i, std::to_string(i + 1)});
+    return made;
+}
+
+/// Players at such places, all alike but for what `change` makes of the options of each.
+template <class Change>
+SmallWorld field(const std::vector<Pose>& starts, const Point& ball, const Perception& perception, Change change) {
+    SmallWorld world(walledField(9, 5));
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        TeamPlayer::Options own = options(starts.size());
+        change(i, own);
+        world.robot(guideRobot(perception), starts[i], std::make_shared<const TeamPlayer>(own), noisyDrive(),
+                    static_cast<std::int64_t>(i));
+    }
+    world.object(ballType(), {ball.x, ball.y, 0});
+    return world;
+}
+const auto asTheyAre = [](std::size_t, TeamPlayer::Options&) {};
+
+std::string entry(const Scenario& scenario, const WorldState& state, std::size_t robot, const std::string& name) {
+    for (const MemoryEntry& entry : scenario.controller(robot).explain(scenario.memoryOf(state, robot)))
+        if (entry.name == name) return entry.text.empty() ? std::to_string(entry.value) : entry.text;
+    return "none";
+}
+
+int going(const Scenario& scenario, const WorldState& state) {
+    int count = 0;
+    for (std::size_t i = 0; i < state.robots.size(); ++i) count += entry(scenario, state, i, "role") == "goes" ? 1 : 0;
+    return count;
+}
+
+const std::vector<Pose> threePlayers{{1, 1, 0}, {2, 4, 0}, {3.5, 1.5, 0}};
+
+TEST(TeamPlayer, TheNearestGoesAndTheOthersKeepAway) {
+    const Scenario scenario = field(threePlayers, {4.5, 2.5}, {}, asTheyAre).scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 5 * ticksPerSecond);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(entry(scenario, state, i, "goer"), "3") << i;
+        EXPECT_EQ(entry(scenario, state, i, "role"), i == 2 ? "goes" : "supports");
+    }
+    const Point ball = position(state.objects[0].pose);
+    EXPECT_LT(distance(position(state.robots[2].pose), ball), 0.8);
+    for (const std::size_t i : {0u, 1u}) EXPECT_GT(distance(position(state.robots[i].pose), ball), 1);
+}
+
+/// By what each believes itself, late and off, with ball and robots all over the field.
+TEST(TeamPlayer, NearlyAlwaysOneOfThemGoes) {
+    std::int64_t none = 0, one = 0, more = 0;
+    int advanced = 0;
+    for (std::int64_t i = 0; i < 6; ++i) {
+        std::vector<Pose> starts;
+        for (std::int64_t k = 0; k < 3; ++k)
+            starts.push_back({1.0 + 1.5 * static_cast<double>(k), draw(3, i, 4, 1, 4), 0});
+        const Scenario scenario = field(starts, {draw(3, i, 1, 4.7, 5.2), draw(3, i, 2, 1, 4)}, cameras(),
+                                        [](std::size_t, TeamPlayer::Options& own) { own.role.hysteresis = 1; })
+                                      .scenario();
+        WorldState state = scenario.initialState(static_cast<std::uint64_t>(i));
+        run(scenario, state, ticksPerSecond);
+        bool came = false;
+        for (int tick = 0; tick < 60 * ticksPerSecond; ++tick) {
+            run(scenario, state, 1);
+            const int count = going(scenario, state);
+            ++(count == 0 ? none : count == 1 ? one : more);
+            came = came || state.objects[0].pose.x > 6;
+        }
+        advanced += came ? 1 : 0;
+    }
+    const double all = static_cast<double>(none + one + more);
+    EXPECT_LT(static_cast<double>(none) / all, 0.01);
+    EXPECT_LT(static_cast<double>(more) / all, 0.02);
+    EXPECT_GE(advanced, 5) << "of 6 balls brought into the target's half";
+}
+
+TEST(TeamPlayer, WithoutRadioEachGoesByItself) {
+    SmallWorld world = field(threePlayers, {4.5, 2.5}, {}, asTheyAre);
+    world.parts().scene.radio.loss = 1;
+    const Scenario scenario = world.scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, 2 * ticksPerSecond);
+    EXPECT_EQ(going(scenario, state), 3);
+}
+
+TEST(TeamPlayer, WhoSeesNoBallKnowsItFromMates) {
+    // The second one looks away from it, and cannot turn.
+    const Scenario scenario =
+        field({{1, 1.2, 0.4}, {3, 2.5, 3.1416}}, {4, 2.5}, cameras(), [](std::size_t i, auto& own) {
+            if (i == 1) own.chase.speed = own.chase.rotation = 0;
+        }).scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, ticksPerSecond);
+    EXPECT_NEAR(std::stod(entry(scenario, state, 1, "ball x")), 4, 0.4);
+    EXPECT_NEAR(std::stod(entry(scenario, state, 1, "ball y")), 2.5, 0.4);
+}
+
+TEST(TeamPlayer, AKeeperStaysBeforeItsGoalAndAnotherOneGoes) {
+    const Scenario scenario =
+        field({{1, 2.5, 0}, {4, 4, 0}}, {1.5, 1}, {}, [](std::size_t i, auto& own) { own.keeper = i == 0; }).scenario();
+    WorldState state = scenario.initialState();
+    for (int i = 0; i < 20; ++i) {
+        run(scenario, state, ticksPerSecond);
+        EXPECT_EQ(entry(scenario, state, 0, "role"), "keeps");
+        EXPECT_LT(distance(position(state.robots[0].pose), {0, 2.5}), 1.4);
+    }
+    EXPECT_EQ(entry(scenario, state, 0, "goer"), "2");
+    EXPECT_EQ(entry(scenario, state, 1, "role"), "goes");
+}
+
+TEST(TeamPlayer, WhereRolesAreFixedTheNamedOneGoesOrNobody) {
+    for (const std::int64_t goes : {0, 1}) {
+        const Scenario scenario = field(threePlayers, {4.5, 2.5}, {}, [&](std::size_t, auto& own) {
+                                      own.choose = TeamPlayer::Choose::fixed;
+                                      own.goes = goes;
+                                  }).scenario();
+        WorldState state = scenario.initialState();
+        run(scenario, state, 2 * ticksPerSecond);
+        EXPECT_EQ(going(scenario, state), goes);
+        EXPECT_EQ(entry(scenario, state, 2, "goer"), goes == 0 ? "nobody" : "1");
+    }
+}
+
+/// Whose time grows with the distance, and who is slow.
+class Slowness final : public LearnedMapping {
+public:
+    explicit Slowness(double perMetre) : perMetre_(perMetre) {}
+    std::size_t inputs() const override { return WayToBall::count; }
+    std::size_t outputs() const override { return 1; }
+    MappingVariable input(std::size_t index) const override { return {wayToBallNames.begin()[index], "1"}; }
+    MappingVariable output(std::size_t) const override { return {"time_s", "s"}; }
+    void evaluate(std::span<const double> from, std::span<double> to) const override { to[0] = perMetre_ * from[0]; }
+    double beyond(std::span<const double>) const override { return 0; }
+
+private:
+    double perMetre_;
+};
+
+TEST(TeamPlayer, ByLearnedTimeTheFasterOneGoesThoughItIsFarther) {
+    const Scenario scenario = field(threePlayers, {4.5, 2.5}, {}, [](std::size_t i, auto& own) {
+                                  own.choose = TeamPlayer::Choose::time;
+                                  own.time = std::make_shared<const Slowness>(i == 2 ? 10 : 3);
+                              }).scenario();
+    WorldState state = scenario.initialState();
+    run(scenario, state, ticksPerSecond);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(entry(scenario, state, i, "goer"), "2") << i;
+    const double far = distance({2, 4}, {4.5, 2.5});
+    EXPECT_NEAR(std::stod(entry(scenario, state, 0, "cost of 2")), 3 * far, 0.8) << "as it told";
+}
+
+}  // namespace
+}  // namespace mrose
