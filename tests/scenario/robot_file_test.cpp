@@ -200,7 +200,7 @@ TEST(RobotFile, WhatTheReferenceCamerasAreNotNamesItsPlace) {
     EXPECT_EQ(refused("model = \"reference\"\n[perception.self]\nnoise = { x_m = 0.1 }\n"),
               "learned.toml:11:9: perception.self.noise: is not a known key; expected one of latency_s");
     EXPECT_EQ(refused("model = \"reference\"\n[perception.objects]\ndrop_out = 0.1\n").substr(0, 68),
-              "learned.toml:11:12: perception.objects.drop_out: is not a known key; ");
+              "learned.toml:11:12: perception.objects.drop_out: is not a known key;");
 }
 
 TEST(RobotFile, NetworkMustBeThereAndFit) {
