@@ -58,6 +58,8 @@ private:
         tuning_.experimentFile = file;
         tuning_.experiment = std::move(*experiment);
         tuning_.experimentCalled = calledName(file->name, tuning_.experiment.file);
+        if (!tuning_.experiment.branch.empty())
+            return root_.reject("experiment", "branches; expected one whose variants begin at the start");
         std::vector<Variant>& variants = tuning_.experiment.variants;
         if (!root_.has("variant")) {
             if (variants.size() > 1 || !variants.front().name.empty())

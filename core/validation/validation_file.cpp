@@ -105,7 +105,7 @@ private:
 
     std::string calledOr(TomlTable& table, const std::string& fallback) {
         if (!table.has("name")) return fallback;
-        const std::string called = name(table, "name");
+        std::string called = name(table, "name");
         if (!table.failed() && called.size() > mostCalled)
             table.reject("name", "expected at most " + std::to_string(mostCalled) + " characters");
         return called;

@@ -53,6 +53,13 @@ TEST_F(TuningFileTest, SaysWhatIsSearchedAndForWhatCost) {
     EXPECT_FALSE(speed.whole);
 }
 
+TEST_F(TuningFileTest, WhatBranchesIsNotTuned) {
+    std::string& experiment = lane_.texts["x.toml"];
+    experiment.insert(experiment.find("scenario ="), "branch = 'time > 0.5'\n");
+    EXPECT_THAT(refusal(std::string(Lane::budget) + Lane::speed),
+                HasSubstr("t.toml:4:14: experiment: branches; expected one whose variants begin at the start"));
+}
+
 TEST_F(TuningFileTest, TheVariantThatIsTunedIsNamed) {
     lane_.texts["x.toml"] +=
         "[[variant]]\nname = \"one\"\n[[variant]]\nname = \"two\"\nset = { \"robot[1].start.y_m\" = "
