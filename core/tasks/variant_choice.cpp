@@ -76,7 +76,7 @@ VariantChoice judgeChoice(const TaskData& learnedFrom, const TaskData& judged, c
     }
     if (judged.seeds < 2) return choice;
     const std::vector<double>& single = of[choice.best];
-    VariantChoice::Oracle& best = choice.oracle.emplace();
+    ChoiceOracle& best = choice.oracle.emplace();
     best.mean = meanOf(oracle);
     best.agrees = meanOf(agrees);
     best.closed = (meanOf(single) - choice.mean) / (meanOf(single) - best.mean);

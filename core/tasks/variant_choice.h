@@ -10,6 +10,14 @@
 
 namespace mrose {
 
+/// The variant that does best in a trial by one half of its seeds, judged by the other, and the other way round.
+struct ChoiceOracle {
+    double mean = 0;
+    double closed = 0;  ///< how much of the way from the best variant to it is gone by what is learned; 1: all
+    Interval closedInterval;
+    double agrees = 0;  ///< share of the trials in which what is learned chooses as it does, as judged
+};
+
 /// What it comes to on trials that are held out, where for each a variant is chosen by what is learned. Means are over
 /// trials, and all intervals are of 95 %, by trials drawn with repetition.
 struct VariantChoice {
@@ -20,19 +28,12 @@ struct VariantChoice {
         double gain = 0;         ///< by how much what is learned does better than it
         Interval gainInterval;
     };
-    /// The variant that does best in a trial by one half of its seeds, judged by the other, and the other way round.
-    struct Oracle {
-        double mean = 0;
-        double closed = 0;  ///< how much of the way from the best variant to it is gone by what is learned; 1: all
-        Interval closedInterval;
-        double agrees = 0;  ///< share of the trials in which what is learned chooses as it does, as judged
-    };
 
     std::vector<Variant> variants;
-    std::size_t best = 0;          ///< of them, by the trials that were learned from
-    double mean = 0;               ///< of the target, where what is learned chooses
-    std::optional<Oracle> oracle;  ///< nullopt: there is one seed alone
-    std::size_t trials = 0;        ///< held out
+    std::size_t best = 0;                ///< of them, by the trials that were learned from
+    double mean = 0;                     ///< of the target, where what is learned chooses
+    std::optional<ChoiceOracle> oracle;  ///< nullopt: there is one seed alone
+    std::size_t trials = 0;              ///< held out
 
     /// It does better than each single variant.
     bool beatsAll() const;

@@ -87,24 +87,25 @@ TEST(WallStroke, LungesTurnsToTheFieldAndFollows) {
     }
 }
 
-/// Whether it would do something with the robot in the field's middle.
-bool wouldGo(const Point& ball, const FloorPlan& walls, const WallStroke::Options& options = {}) {
+/// Whether it would do something.
+bool wouldGo(const Point& ball, const FloorPlan& walls, const Pose& robot = {4.5, 2.5, 0},
+             const WallStroke::Options& options = {}) {
     WallStroke stroke{};
-    return stroke.update({0, {4.5, 2.5, 0}, ball, {4.5, 2.5}, walls}, options).has_value();
+    return stroke.update({0, robot, ball, {4.5, 2.5}, walls}, options).has_value();
 }
 
 TEST(WallStroke, IsForBallsAtWallsWhereThereIsRoom) {
-    const FloorPlan walls = *floorPlanOf(walledField(9, 5));
+    const FloorPlan walls = *floorPlanOf(walledField(9, 5)), lane = *floorPlanOf(walledField(9, 0.6));
     EXPECT_TRUE(wouldGo({4, 0.12}, walls));
     EXPECT_TRUE(wouldGo({8.88, 2}, walls));
     EXPECT_FALSE(wouldGo({4, 1.5}, walls));
     EXPECT_FALSE(wouldGo({5, 3}, walls));
     EXPECT_FALSE(wouldGo({4, 0.12}, FloorPlan())) << "it knows of no walls";
-    EXPECT_FALSE(wouldGo({0.12, 0.12}, walls)) << "a corner";
-    EXPECT_FALSE(wouldGo({4, 0.12}, *floorPlanOf(walledField(9, 0.6)))) << "a lane narrower than the robot";
+    const Pose within{5.5, 0.3, 0};
     WallStroke::Options small;
     small.reach = 0.2;
-    EXPECT_TRUE(wouldGo({4, 0.12}, *floorPlanOf(walledField(9, 0.6)), small));
+    EXPECT_FALSE(wouldGo({4, 0.12}, lane, within)) << "a lane narrower than the robot";
+    EXPECT_TRUE(wouldGo({4, 0.12}, lane, within, small));
 }
 
 TEST(WallStroke, TakesABallThatLooksAsIfItLayBehindTheWallForOneAtIt) {
@@ -123,8 +124,8 @@ TEST(WallStroke, StrikesToWhereTheBallHasAWay) {
         EXPECT_TRUE(stroke.update({0, robot, ball, ball + Point{0, 1}, walls}, {}));
         return stroke.side * stroke.away.y > 0;  // at the south wall to the left of its way
     };
-    EXPECT_TRUE(goesEast({0.85, 0.12}, {1.5, 1, 0}));
-    EXPECT_FALSE(goesEast({8.15, 0.12}, {7.5, 1, 0}));
+    EXPECT_TRUE(goesEast({0.62, 0.12}, {1.2, 1, 0}));
+    EXPECT_FALSE(goesEast({8.38, 0.12}, {7.8, 1, 0}));
     EXPECT_TRUE(goesEast({4.5, 0.12}, {3.5, 1, 0}));
     EXPECT_FALSE(goesEast({4.5, 0.12}, {5.5, 1, 0}));
 }

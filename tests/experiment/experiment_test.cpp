@@ -268,7 +268,7 @@ TEST_F(ExperimentTest, MeasuresTellTheLongestStretchAndReadThoseAboveThem) {
         EXPECT_EQ(row.at("measure.late"), "1.0");
     }
     EXPECT_THAT(refusedRun("trials = 1\n[measures]\na = 'measure.b'\nb = 'time'\n"),
-                HasSubstr("x.toml:7:6: measures.a: there is no measure above 'b': there is none"));
+                HasSubstr("x.toml:7:14: measures.a: there is no measure above 'b': there is none"));
     EXPECT_THAT(refusedRun("trials = 1\n[measures]\nb = 'time'\na = { most = 'measure.b' }\n"),
                 HasSubstr("'measure' is known in measures at a trial's end alone"));
     EXPECT_THAT(refusedRun("trials = 1\nuntil = 'measure.b > 1'\n[measures]\nb = 'time'\n"),

@@ -141,7 +141,7 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, spare_m = 0 }",
          "s.toml:22:80: robot[\"two\"].controller.spare_m: is 0.0; expected 0.01 to 5.0"},
         {"{ kind = \"chase_ball\", target_m = [1, 0], strokes = true }",
-         "s.toml:22:61: robot[\"two\"].controller.strokes: the robot has no ball guide; expected horns that reach 3 cm "
+         "s.toml:22:66: robot[\"two\"].controller.strokes: the robot has no ball guide; expected horns that reach 3 cm "
          "farther than its front"},
         {"{ kind = \"free_ball\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: the robot has no ball guide; expected horns that reach 3 cm "
