@@ -71,7 +71,7 @@ TEST(BallTrack, SeesSoonThatABallWasKicked) {
     for (int i = 0; i < 30; ++i) watcher.see(Point{1, 0});
     for (int i = 1; i <= 5; ++i) watcher.see(Point{1 + 0.25 * i, 0});
     const BallTrack& track = watcher.see(Point{2.5, 0});
-    EXPECT_NEAR(track.position.x, 2.5, 0.2);
+    EXPECT_NEAR(track.position.x, 2.5, 0.3) << "as far as it rolls in 0.12 s";
     EXPECT_GT(track.velocity.x, 1.5);
 }
 

@@ -497,7 +497,7 @@ to = 0.6
 name = "on"
 [[variant]]
 name = "it stands"
-set = { "robot[1].controller.commands[1].v_mps" = 0.0 }
+set = { "robot[1].controller" = { kind = "wander", speed_mps = 0.0, rotation_degps = 0.0 } }
 [features]
 at = 'time'
 gone = 'robot[1].x - draw.x'
