@@ -12,11 +12,10 @@ namespace mrose {
 namespace {
 
 constexpr double unitsInMetre = 1e4;
-constexpr double samplesApart = 0.3;     // m, at most, along an outline
-constexpr double covered = 0.001;        // m: what is no farther from another piece is none of the outline
-constexpr double nodesApart = 0.5;       // m, at most, along an edge of the diagram
-constexpr std::size_t mostJoined = 6;    // nodes to which start and goal are joined
-constexpr double unsureDistance = 0.05;  // m, by which a third piece may be nearer to a node
+constexpr double samplesApart = 0.3;   // m, at most, along an outline
+constexpr double covered = 0.001;      // m: what is no farther from another piece lies on its outline
+constexpr double nodesApart = 0.5;     // m, at most, along an edge of the diagram
+constexpr std::size_t mostJoined = 6;  // nodes to which start and goal are joined
 constexpr std::size_t noNode = VoronoiRoadmap::none;
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
@@ -45,10 +44,11 @@ std::vector<OutlineSample> outlineSamples(std::span<const ConvexPiece> pieces) {
     for (const ConvexPiece& piece : pieces) polygons.push_back(cornersOf(piece));
     std::vector<OutlineSample> samples;
     const auto add = [&](const Point& place, std::size_t piece) {
-        for (std::size_t k = 0; k < pieces.size(); ++k)
-            if (k != piece && distance(place, pieces[k].centre) < pieces[k].reach + covered &&
-                nearestPoint(pieces[k], place).distance < covered)
-                return;
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            if (k == piece || distance(place, pieces[k].centre) >= pieces[k].reach + covered) continue;
+            // Of outlines that lie on one another one is left.
+            if (nearestPoint(pieces[k], place).distance < (k < piece ? covered : -covered)) return;
+        }
         samples.push_back({place, piece});
     };
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -79,11 +79,12 @@ Point inMetres(const Diagram::vertex_type& vertex) { return {vertex.x() / unitsI
 
 VoronoiRoadmap::VoronoiRoadmap(DiscSpace space) : space_(std::move(space)) { makeNodes(); }
 
-/// Of a place that is nearest to one of two pieces.
+/// Of a place that is nearest to one of two pieces; none beyond all outlines.
 std::size_t VoronoiRoadmap::node(const Point& place, std::size_t onePiece, std::size_t otherPiece) {
+    if (place.x < low_.x || place.y < low_.y || place.x > high_.x || place.y > high_.y) return noNode;
     const auto pieces = space_.pieces();
-    const double far =
-        std::min(nearestPoint(pieces[onePiece], place).distance, nearestPoint(pieces[otherPiece], place).distance);
+    const double far = space_.distance(place, std::min(nearestPoint(pieces[onePiece], place).distance,
+                                                       nearestPoint(pieces[otherPiece], place).distance));
     if (far < space_.radius()) return noNode;
     nodes_.push_back({place, far});
     return nodes_.size() - 1;
@@ -99,6 +100,12 @@ void VoronoiRoadmap::join(std::size_t a, std::size_t b) {
 
 void VoronoiRoadmap::makeNodes() {
     const std::vector<OutlineSample> samples = outlineSamples(space_.pieces());
+    if (samples.empty()) return;
+    low_ = high_ = samples.front().place;
+    for (const OutlineSample& sample : samples) {
+        low_ = {std::min(low_.x, sample.place.x), std::min(low_.y, sample.place.y)};
+        high_ = {std::max(high_.x, sample.place.x), std::max(high_.y, sample.place.y)};
+    }
     boost::polygon::voronoi_builder<std::int32_t> builder;
     for (const OutlineSample& sample : samples) builder.insert_point(inUnits(sample.place.x), inUnits(sample.place.y));
     Diagram diagram;
@@ -132,7 +139,7 @@ void VoronoiRoadmap::makeNodes() {
 
 /// Whether the straight way between two places is free whose distances from the nearest piece are known.
 bool VoronoiRoadmap::joined(const Point& a, double distanceA, const Point& b, double distanceB) const {
-    return (distanceA + distanceB - distance(a, b)) / 2 > space_.radius() + unsureDistance || space_.free(a, b);
+    return (distanceA + distanceB - distance(a, b)) / 2 > space_.radius() || space_.free(a, b);
 }
 
 /// The nearest ones to which the straight way is free.

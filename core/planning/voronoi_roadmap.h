@@ -16,7 +16,7 @@ public:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     struct Node {
         Point place;
-        double distance = 0;      ///< m, to the nearest of the two pieces that it lies between
+        double distance = 0;      ///< m, to the nearest piece
         std::size_t ways = none;  ///< the first of those that lead away
     };
 
@@ -41,6 +41,7 @@ private:
     std::vector<std::size_t> nearby(const Point& place) const;
 
     DiscSpace space_;
+    Point low_, high_;  ///< corners of a box that holds all outlines
     std::vector<Node> nodes_;
     std::vector<Way> ways_;
 };

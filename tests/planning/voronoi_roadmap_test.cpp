@@ -30,8 +30,8 @@ TEST(VoronoiRoadmap, EachNodeIsAsFarFromTwoPieces) {
         const VoronoiRoadmap roadmap(space);
         for (const VoronoiRoadmap::Node& node : roadmap.nodes()) {
             const auto [first, second] = twoNearest(space, node.place);
-            EXPECT_NEAR(node.distance, first, 0.05);
-            EXPECT_GE(first, 0.25 - 0.05);
+            EXPECT_NEAR(node.distance, first, 1e-12);
+            EXPECT_GE(first, 0.25);
             // Pieces are points there, at most 0.3 m apart.
             EXPECT_LE(second - first, 0.1) << world << ": " << node.place.x << ' ' << node.place.y;
             ++nodes;

@@ -133,13 +133,13 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"chase_ball\" }", "s.toml:22:14: robot[\"two\"].controller.target_m: is missing"},
         {"{ kind = \"navigate\" }", "s.toml:22:14: robot[\"two\"].controller.target: is missing"},
         {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, planner = \"astar\" }",
-         "s.toml:22:80: robot[\"two\"].controller.planner: is \"astar\"; expected one of \"potential_field\", "
+         "s.toml:22:76: robot[\"two\"].controller.planner: is \"astar\"; expected one of \"potential_field\", "
          "\"visibility_graph\", \"voronoi\", \"via_points\""},
         {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, repair = \"hope\" }",
-         "s.toml:22:79: robot[\"two\"].controller.repair: is \"hope\"; expected one of \"none\", \"wait\", "
+         "s.toml:22:75: robot[\"two\"].controller.repair: is \"hope\"; expected one of \"none\", \"wait\", "
          "\"temporary_target\", \"imagined_obstacle\", \"replan\""},
         {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, spare_m = 0 }",
-         "s.toml:22:80: robot[\"two\"].controller.spare_m: is 0.0; expected 0.01 to 5.0"},
+         "s.toml:22:76: robot[\"two\"].controller.spare_m: is 0.0; expected 0.01 to 5.0"},
         {"{ kind = \"chase_ball\", target_m = [1, 0], strokes = true }",
          "s.toml:22:66: robot[\"two\"].controller.strokes: the robot has no ball guide; expected horns that reach 3 cm "
          "farther than its front"},
