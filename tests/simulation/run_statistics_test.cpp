@@ -79,7 +79,7 @@ TEST(RunStatistics, TouchCountsWhenItBegins) {
     for (const auto& [pairs, touches] : ticks) {
         StepTrace trace;
         for (const auto& [a, b] : pairs) trace.contacts.push_back({a, b, 0, {}, {}, 1});
-        statistics.add(state, state, trace);
+        statistics.add(state, trace);
         EXPECT_EQ(statistics.touches, touches);
     }
 }
@@ -129,9 +129,8 @@ TEST(RunStatistics, BallThatRollsOutLiesStillForTheRest) {
         StepTrace trace;
         RunStatistics statistics(scenario, state);
         for (int i = 0; i < 1000; ++i) {
-            const WorldState before = state;
             step(scenario, state, buffers, {}, &trace);
-            statistics.add(before, state, trace);
+            statistics.add(state, trace);
         }
         const double rolls = std::max(0.0, (speed - 0.01) / 0.25);
         EXPECT_NEAR(toSeconds(statistics.ballStill), 20 - rolls, 0.02 + 1e-9) << speed;
