@@ -49,10 +49,10 @@ Point unit(const Point& vector) { return (1 / std::max(1e-9, length(vector))) * 
 const char* ChaseBall::name(std::int64_t phase) { return phaseNames[static_cast<std::size_t>(phase)]; }
 
 std::size_t ChaseBall::memorySize() const {
-    static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) +
-                                        sizeof(WallStroke) + 6 * 8,
-                  "no padding");
-    return sizeof(Memory);
+    static_assert(
+        sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(BallBelief) + 6 * 8,
+        "no padding");
+    return sizeof(Memory) + (options_.stroke ? sizeof(WallStroke) : 0);
 }
 
 DriveLimits ChaseBall::limits() const { return {options_.speed, options_.rotation}; }
@@ -98,10 +98,12 @@ Point ChaseBall::aim(const Situation& now, Memory& memory) const {
     return now.ball + (touch + wayRound) * Placement({0, 0, round}).rotate(unit(offset));
 }
 
-Command ChaseBall::chase(const Observation& observation, Memory& memory, Decision& decision) const {
+Command ChaseBall::chase(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const {
     const Situation now = situation(memory);
-    if (!memory.stroke.strikes() && mustWait(now, observation, memory)) return wait(now, observation, memory);
-    if (const auto stroke = strike(now, observation, memory)) return *stroke;
+    const bool strikes = stroke != nullptr && stroke->strikes();
+    if (!strikes && mustWait(now, observation, memory)) return wait(now, observation, memory);
+    if (stroke != nullptr)
+        if (const auto command = strike(now, observation, memory, *stroke)) return *command;
     if (beginsSweeping(now, observation, memory)) return sweep(memory);
     const bool straight = memory.phase == straightOn && observation.time < memory.phaseEnd;
     memory.aim = clearOf(now.walls, straight ? now.ball : aim(now, memory), options_.halfWidth + roomBeside);
@@ -129,14 +131,14 @@ bool ChaseBall::shouldKick(const Observation& observation, const Memory& memory)
 }
 
 /// Where the ball lies still at a wall.
-std::optional<Command> ChaseBall::strike(const Situation& now, const Observation& observation, Memory& memory) const {
-    if (!options_.stroke || (length(memory.ball.velocity) > rollsAlong && !memory.stroke.strikes()))
-        return std::nullopt;
-    const auto command = memory.stroke.update({observation.time, now.robot, now.ball, options_.target, *options_.walls},
-                                              *options_.stroke);
+std::optional<Command> ChaseBall::strike(const Situation& now, const Observation& observation, Memory& memory,
+                                         WallStroke& stroke) const {
+    if (length(memory.ball.velocity) > rollsAlong && !stroke.strikes()) return std::nullopt;
+    const auto command =
+        stroke.update({observation.time, now.robot, now.ball, options_.target, *options_.walls}, *options_.stroke);
     if (!command) return std::nullopt;
     memory.phase = striking;
-    memory.aim = position(memory.stroke.stance(now.ball, *options_.stroke));
+    memory.aim = position(stroke.stance(now.ball, *options_.stroke));
     return command;
 }
 
@@ -227,10 +229,10 @@ std::optional<Command> ChaseBall::backOff(const Observation& observation, Memory
                                  {options_.speed, options_.rotation, options_.deadTime, turnAway});
 }
 
-Command ChaseBall::play(const Observation& observation, Memory& memory, Decision& decision) const {
+Command ChaseBall::play(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const {
     if (const std::optional<Command> back = backOff(observation, memory)) {
         memory.phase = backingOff;
-        memory.stroke.stop();
+        if (stroke != nullptr) stroke->stop();
         // Every other time it tries the ball from where it is: the place behind it may be out of reach.
         memory.phaseEnd = observation.time + fromSeconds(straightFor);
         return *back;
@@ -238,7 +240,7 @@ Command ChaseBall::play(const Observation& observation, Memory& memory, Decision
     if (memory.phase == sweeping && observation.time < memory.phaseEnd) return sweep(memory);
     if (memory.ball.known == 0) return search(observation, memory);
     if (memory.phase == backingOff && memory.backOff.times % 2 == 1) memory.phase = straightOn;
-    return chase(observation, memory, decision);
+    return chase(observation, memory, stroke, decision);
 }
 
 void ChaseBall::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {
@@ -248,7 +250,8 @@ void ChaseBall::decide(const Observation& observation, std::span<std::byte> byte
     decision.command = Command{};
     if (memory.self.known != 0) {
         memory.ball.update(observation, memory.motion, memory.self);
-        decision.command = play(observation, memory, decision);
+        WallStroke* const stroke = options_.stroke ? &as<WallStroke>(bytes.subspan(sizeof(Memory))) : nullptr;
+        decision.command = play(observation, memory, stroke, decision);
         annotate(memory, decision);
     }
     memory.motion.issue(*decision.command);

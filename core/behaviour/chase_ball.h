@@ -56,7 +56,6 @@ public:
         OwnBelief self;
         BackOff backOff;
         BallBelief ball;
-        WallStroke stroke;
         std::int64_t phase;
         Nanoseconds phaseEnd;  ///< of searching, roaming, going straight on and sweeping
         Nanoseconds nextKick;
@@ -79,8 +78,8 @@ public:
 
     const Options& options() const { return options_; }
     Situation situation(const Memory& memory) const;
-    /// What it does about the ball.
-    Command play(const Observation& observation, Memory& memory, Decision& decision) const;
+    /// What it does about the ball. `stroke`: what it remembers of that, where its options have one; otherwise null.
+    Command play(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const;
     /// What gets the robot off where it does not get on; nullopt: it does.
     std::optional<Command> backOff(const Observation& observation, Memory& memory) const;
     /// Looks for a ball of which nothing is known.
@@ -95,12 +94,13 @@ public:
 
 private:
     DriveLimits limits() const;
-    Command chase(const Observation& observation, Memory& memory, Decision& decision) const;
+    Command chase(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const;
     Command sweep(const Memory& memory) const;
     Command wait(const Situation& now, const Observation& observation, Memory& memory) const;
     Point aim(const Situation& now, Memory& memory) const;
     bool mustWait(const Situation& now, const Observation& observation, const Memory& memory) const;
-    std::optional<Command> strike(const Situation& now, const Observation& observation, Memory& memory) const;
+    std::optional<Command> strike(const Situation& now, const Observation& observation, Memory& memory,
+                                  WallStroke& stroke) const;
     bool beginsSweeping(const Situation& now, const Observation& observation, Memory& memory) const;
     bool shouldKick(const Observation& observation, const Memory& memory) const;
     void annotate(const Memory& memory, Decision& decision) const;

@@ -31,6 +31,7 @@ Point unitOf(const Point& vector) { return (1 / std::max(1e-9, length(vector))) 
 
 struct TeamPlayer::Memory {
     ChaseBall::Memory chase;  ///< its ball is what the whole team knows of it
+    WallStroke stroke;        ///< where it strikes
     BallTrack sighted;        ///< the ball by own sightings alone
     TeamBelief team;
     RoleChoice choice;
@@ -42,8 +43,8 @@ struct TeamPlayer::Memory {
 };
 
 std::size_t TeamPlayer::memorySize() const {
-    static_assert(sizeof(Memory) == sizeof(ChaseBall::Memory) + sizeof(BallTrack) + sizeof(TeamBelief) +
-                                        sizeof(RoleChoice) + sizeof(WayToBall) + 4 * 8,
+    static_assert(sizeof(Memory) == sizeof(ChaseBall::Memory) + sizeof(WallStroke) + sizeof(BallTrack) +
+                                        sizeof(TeamBelief) + sizeof(RoleChoice) + sizeof(WayToBall) + 4 * 8,
                   "no padding");
     return sizeof(Memory);
 }
@@ -220,7 +221,8 @@ void TeamPlayer::decide(const Observation& observation, std::span<std::byte> byt
         chase.ball = memory.team.ball(memory.sighted, chase.self, observation.time);
         bid(observation, place, memory);
         tell(observation, place, memory, decision);
-        decision.command = memory.role == TeamWord::goes ? chase_.play(observation, chase, decision)
+        WallStroke* const stroke = options_.chase.stroke ? &memory.stroke : nullptr;
+        decision.command = memory.role == TeamWord::goes ? chase_.play(observation, chase, stroke, decision)
                                                          : support(observation, place, memory);
         annotate(memory, decision);
     }

@@ -88,7 +88,7 @@ private:
 
 }  // namespace
 
-Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOptions& options) {
+Expected<RunResult> run(const Scenario& scenario, const WorldState& state, const RunOptions& options) {
     return Running(scenario, state, options).go();
 }
 

@@ -40,6 +40,6 @@ struct RunResult {
 };
 
 /// Runs a scenario from a state. Error: the condition cannot be answered.
-Expected<RunResult> run(const Scenario& scenario, WorldState state, const RunOptions& options);
+Expected<RunResult> run(const Scenario& scenario, const WorldState& state, const RunOptions& options);
 
 }  // namespace mrose

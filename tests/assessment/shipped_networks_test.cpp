@@ -10,6 +10,7 @@
 #include "identification/held_out_part.h"
 #include "io/file.h"
 #include "learning/network_file.h"
+#include "learning/task_network.h"
 #include "logs/log_reader.h"
 #include "motion/learned_model.h"
 #include "perception/sensor_network.h"
@@ -60,6 +61,11 @@ TEST(ShippedNetworks, AreWrittenAsTheProgramWritesThem) {
             ASSERT_TRUE(sensor) << sensor.error().message();
             EXPECT_EQ(sensorText(*sensor), text) << entry.path();
             training = sensor->learned.training;
+        } else if (networkKind(text) == TaskNetwork::kind) {
+            const auto task = parseTask(text, entry.path().string());
+            ASSERT_TRUE(task) << task.error().message();
+            EXPECT_EQ(taskFileText(*task), text) << entry.path();
+            training = task->learned.training;
         } else {
             const auto network = loadNetwork(entry.path());
             ASSERT_TRUE(network) << network.error().message();
@@ -67,7 +73,8 @@ TEST(ShippedNetworks, AreWrittenAsTheProgramWritesThem) {
             training = network->training;
         }
         EXPECT_FALSE(training.logs.empty()) << entry.path();
-        EXPECT_EQ(training.command.substr(0, 12), "mrose train ") << entry.path();
+        const bool task = networkKind(text) == TaskNetwork::kind;
+        EXPECT_TRUE(training.command.starts_with(task ? "mrose learn " : "mrose train ")) << entry.path();
     }
     EXPECT_GE(count, 5);
 }

@@ -41,7 +41,7 @@ RobotType sensingRobot() {
     return type;
 }
 
-constexpr Point field{8, 4};  // m
+constexpr Point pitch{8, 4};  // m
 
 /// With the other of them, and with a robot that tells nothing.
 TeamPlayer::Options inATeam() {
@@ -54,26 +54,26 @@ TeamPlayer::Options inATeam() {
 std::vector<std::shared_ptr<const Controller>> builtIn() {
     std::vector<StampedCommand> script;
     for (int i = 0; i < 300; ++i) script.push_back({i * 77'000'000LL - 400'000'000, {0.3, i % 7 * 0.2 - 0.6}});
-    const auto walls = floorPlanOf(walledField(field.x, field.y));
+    const auto walls = floorPlanOf(walledField(pitch.x, pitch.y));
     return {
         std::make_shared<const CommandPlayer>(script),
         std::make_shared<const GoToPose>(
             GoToPose::Options{.targets = {{1, 1, 0}, {5, 3, 2}}, .loop = true, .backwards = true}),
         std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {6, 2}}),
         std::make_shared<const ChaseBall>(ChaseBall::Options{.target = {0, 2}}),
-        std::make_shared<const ChaseBall>(
-            ChaseBall::Options{.target = {6, 2}, .stroke = WallStroke::Options{}, .walls = walls}),
         std::make_shared<const TeamPlayer>(inATeam()),
-        std::make_shared<const FreeBall>(FreeBall::Options{.walls = walls}),
         std::make_shared<const Wander>(Wander::Options{}),
         std::make_shared<const TeamPlayer>(inATeam()),
+        std::make_shared<const ChaseBall>(
+            ChaseBall::Options{.target = {6, 2}, .stroke = WallStroke::Options{}, .walls = walls}),
+        std::make_shared<const FreeBall>(FreeBall::Options{.walls = walls}),
         std::make_shared<const Navigate>(Navigate::Options{.target = {1, 2.5, 1}, .repair = Repair::temporaryTarget}),
         std::make_shared<const DynamicWindow>(DynamicWindow::Options{
             .waypoints = {{1, 3}, {5, 1}}, .loop = true, .sensors = obstacleSensors(sensingRobot())})};
 }
 
 Scenario allRobots() {
-    SmallWorld world(walledField(field.x, field.y));
+    SmallWorld world(walledField(pitch.x, pitch.y));
     const RobotType type = sensingRobot();
     const auto controllers = builtIn();
     for (std::size_t i = 0; i < controllers.size(); ++i)

@@ -1,0 +1,94 @@
+// What experiments measure.
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "experiment/experiment_fixture.h"
+#include "experiment/trial.h"
+#include "io/format.h"
+#include "world/state_hash.h"
+
+namespace mrose {
+namespace {
+
+using namespace experiment_test;
+using testing::HasSubstr;
+
+TEST_F(ExperimentTest, TrialEndsWhereItsConditionHoldsAndMeasuresLookAtAllOfIt) {
+    const Experiment lane = experiment(
+        "trials = 3\nuntil = 'robot[1].x > 1'\n[measures]\nend_x = 'robot[1].x'\nfarthest = { most = 'robot[1].x' }\n"
+        "nearest = { least = 'robot[1].x' }\nlate = { seconds = 'robot[1].x > 0.5' }\n"
+        "half = { first = 'robot[1].x > 0.5' }\nnever = { first = 'robot[1].x > 9' }\n"
+        "thirds = { times = 'robot[1].x % 0.3 < 0.1' }\nmean = { mean = 'robot[1].x' "
+        "}\n");
+    ASSERT_TRUE(run(lane));
+    for (const auto& row : rows()) {
+        EXPECT_EQ(row.at("end"), "condition");
+        const double end = number(row.at("time_s"));
+        EXPECT_NEAR(end, 2.5, 0.1) << "1 m at 0.4 m/s";
+        EXPECT_GT(number(row.at("measure.end_x")), 1);
+        EXPECT_EQ(row.at("measure.end_x"), row.at("measure.farthest"));
+        EXPECT_LT(number(row.at("measure.nearest")), 0.01);
+        EXPECT_NEAR(number(row.at("measure.half")), 1.25, 0.06);
+        EXPECT_NEAR(number(row.at("measure.late")), end - number(row.at("measure.half")) + 0.02, 1e-9);
+        EXPECT_EQ(row.at("measure.never"), "nan");
+        EXPECT_EQ(row.at("measure.thirds"), "4.0") << "from 0, 0.3, 0.6 and 0.9 m on";
+        EXPECT_NEAR(number(row.at("measure.mean")), 0.5, 0.02);
+    }
+    // Looked at every second, it ends at a whole one.
+    const Experiment rarely = experiment("trials = 3\nevery_s = 1.0\nuntil = 'robot[1].x > 1'\n");
+    ASSERT_TRUE(run(rarely, "rarely"));
+    for (const auto& row : rows("rarely")) EXPECT_EQ(row.at("time_s"), "3.0");
+}
+
+TEST_F(ExperimentTest, MeasuresTellTheLongestStretchAndReadThoseAboveThem) {
+    const Experiment lane = experiment(
+        "trials = 3\n[measures]\nlongest = { longest = 'robot[1].x % 0.3 < 0.1 or robot[1].x > 1.2' }\n"
+        "all = { longest = 'time > 0' }\nnever = { longest = 'robot[1].x > 9' }\n"
+        "half = { first = 'robot[1].x > 0.5' }\nuntil_half = { seconds = 'robot[1].x <= 0.5' }\n"
+        "sum = 'measure.half + measure.longest'\nlate = 'measure.sum > 1 and measure.never == 0'\n");
+    ASSERT_TRUE(run(lane));
+    for (const auto& row : rows()) {
+        EXPECT_NEAR(number(row.at("measure.longest")), 1, 0.2) << "from 1.2 m on to the end at 1.6 m";
+        EXPECT_EQ(row.at("measure.all"), "4.0");
+        EXPECT_EQ(row.at("measure.never"), "0.0");
+        EXPECT_EQ(number(row.at("measure.sum")), number(row.at("measure.half")) + number(row.at("measure.longest")));
+        EXPECT_EQ(row.at("measure.late"), "1.0");
+    }
+    EXPECT_THAT(refusedRun("trials = 1\n[measures]\na = 'measure.b'\nb = 'time'\n"),
+                HasSubstr("x.toml:7:14: measures.a: there is no measure above 'b': there is none"));
+    EXPECT_THAT(refusedRun("trials = 1\n[measures]\nb = 'time'\na = { most = 'measure.b' }\n"),
+                HasSubstr("'measure' is known in measures at a trial's end alone"));
+    EXPECT_THAT(refusedRun("trials = 1\nuntil = 'measure.b > 1'\n[measures]\nb = 'time'\n"),
+                HasSubstr("'measure' is known in measures at a trial's end alone"));
+}
+
+/// The ends of Wilson's interval are the shares from which what was found is just z standard deviations off.
+TEST_F(ExperimentTest, SharesHaveTheirIntervals) {
+    const Experiment lane = experiment(
+        "trials = 40\n[[draw]]\nname = \"u\"\nfrom = 0.0\nto = 1.0\n[measures]\n"
+        "some = 'draw.u < 0.3'\nall = 'time > 0'\nnumber = 'draw.u'\n");
+    const auto summary = run(lane);
+    ASSERT_TRUE(summary) << summary.error().message();
+    const auto& measures = summary->variants[0].measures;
+    for (const MeasureSummary& measure : {measures[0], measures[1]}) {
+        ASSERT_TRUE(measure.share) << measure.name;
+        for (const double end : {measure.low, measure.high})
+            if (end < 1) {
+                EXPECT_NEAR(std::abs(measure.mean - end), 1.959964 * std::sqrt(end * (1 - end) / 40), 1e-12);
+            }
+        EXPECT_LT(measure.low, measure.mean);
+    }
+    EXPECT_GT(measures[0].high, measures[0].mean);
+    EXPECT_EQ(measures[1].high, 1);
+    EXPECT_FALSE(measures[2].share);
+}
+
+}  // namespace
+}  // namespace mrose
