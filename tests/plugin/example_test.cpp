@@ -36,5 +36,30 @@ TEST(PluginExample, GrowsByTheCommandsOfItsReadme) {
     EXPECT_TRUE(std::filesystem::exists(home.path() / "my_controller/build/keep_distance.so"));
 }
 
+/// The walk of resources/experiments/README.md, with fewer trials: built, run, tuned, learned, asked and validated.
+TEST(PluginExample, DockingGoesFromFilesToAValidatedController) {
+    const TemporaryFolder home;
+    const std::string script =
+        "PATH='" + std::filesystem::path(mroseProgram()).parent_path().string() + "':$PATH\ncp -r '" +
+        (sourceFolder() / "resources/plugins/docking").string() + "' '" + home.path().string() + "/docking'\ncd '" +
+        home.path().string() + "/docking'\ncmake -B build -DMROSE_HEADERS='" + (sourceFolder() / "core").string() +
+        "'\ncmake --build build\n"
+        "mrose experiment docking_trials.toml --trials 70 -o trials --quiet\n"
+        "sed -i 's/^trials = 40/trials = 8/; s/^held_out = 300/held_out = 20/; s/^evaluations = 2500/evaluations = "
+        "200/' "
+        "docking_tuning.toml\n"
+        "mrose tune docking_tuning.toml -o tuned --quiet\n"
+        "mrose learn trials --target time_s --by-variant --hidden 4 --members 2 -o times.net --quiet\n"
+        "mrose run docking.toml --settings tuned/settings.toml --set 'robot[1].controller.options.station=0' "
+        "--set 'robot[1].controller.mappings={ times = \"times.net\" }'\n"
+        "mrose validate docking_validation.toml --trials 20 -o validated --quiet\n";
+    const ProgramResult result = RunningProgram({"/bin/sh", "-e", "-c", script}).finish();
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
+    EXPECT_EQ(result.out.find("fault"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("better than every variant alone"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("of the gain survives"), std::string::npos) << result.out;
+    EXPECT_TRUE(std::filesystem::exists(home.path() / "docking/validated/report.html"));
+}
+
 }  // namespace
 }  // namespace mrose
