@@ -211,12 +211,8 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request) {
 
 Expected<OpenedScenario> openScenario(const ScenarioRequest& request, DescriptionSource& from) {
     ReadOnce source(from);
-    std::map<std::string, std::string> hashes;
-    const PluginLoader load = pluginLoader(request.plugins);
-    const PluginLoader hashed = [&](const std::string& path, const std::string& options) {
-        if (const auto content = readFile(path)) hashes[path] = contentHash(*content);
-        return load(path, options);
-    };
+    HashingLoader plugins(request.plugins);
+    const PluginLoader hashed = plugins.loader();
     const auto experiment = openExperiment(request.file, request.overrides, source, request.settings);
     if (!experiment) return tl::unexpected(experiment.error());
     std::optional<OpenedTrial> trial;
@@ -235,7 +231,7 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
     if (!loaded) return tl::unexpected(loaded.error());
     for (std::string& sentence : startsOutsideText(loaded->parts.scene)) notes.push_back(std::move(sentence));
     auto scenario = std::make_shared<const Scenario>(loaded->parts);
-    return OpenedScenario{std::move(*loaded), std::move(hashes), std::move(scenario), std::move(notes),
+    return OpenedScenario{std::move(*loaded), plugins.hashes(), std::move(scenario), std::move(notes),
                           std::move(trial)};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "io/file.h"
 #include "plugin/isolated_controller.h"
 #include "plugin/load_plugin.h"
 
@@ -30,6 +31,15 @@ PluginLoader pluginLoader(const PluginUse& plugins) {
     return [plugins](const std::string& path, const std::string& options) {
         if (plugins.isolate) return startPluginProcess(path, options, plugins.limit);
         return plugins.load ? plugins.load(path, options, plugins.limit) : loadHere(path, options);
+    };
+}
+
+PluginLoader HashingLoader::loader() {
+    return [this](const std::string& path, const std::string& options) {
+        const std::lock_guard lock(mutex_);
+        if (!hashes_.contains(path))
+            if (const auto content = readFile(path)) hashes_[path] = contentHash(*content);
+        return load_(path, options);
     };
 }
 

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "scenario/scenario_file.h"
@@ -25,6 +27,21 @@ struct PluginUse {
 };
 
 PluginLoader pluginLoader(const PluginUse& plugins);
+
+/// Loads plug-ins, one at a time, and keeps what was in their files: part of what results depend on.
+class HashingLoader {
+public:
+    explicit HashingLoader(const PluginUse& plugins) : load_(pluginLoader(plugins)) {}
+    /// This object must outlive it.
+    PluginLoader loader();
+    /// Of those that were loaded until now, by their paths.
+    const std::map<std::string, std::string>& hashes() const { return hashes_; }
+
+private:
+    PluginLoader load_;
+    std::mutex mutex_;
+    std::map<std::string, std::string> hashes_;
+};
 
 /// A plug-in in a process of this same program. `limit`: seconds for each decision; loading may take 10 s at the least.
 /// Error: as of isolatePlugin().

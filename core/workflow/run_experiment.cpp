@@ -1,8 +1,6 @@
 #include "workflow/run_experiment.h"
 
-#include <map>
 #include <memory>
-#include <mutex>
 
 #include "experiment/trial.h"
 #include "io/file.h"
@@ -65,15 +63,8 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
     if (watch.opened) watch.opened(experiment);
     ExperimentOptions options;
     // What is in their files is part of what the rows depend on: the first trial loads them.
-    std::mutex mutex;
-    std::map<std::string, std::string> plugins;
-    const PluginLoader load = pluginLoader(request.plugins);
-    options.loading.plugins = [&](const std::string& path, const std::string& with) {
-        const std::lock_guard lock(mutex);
-        if (!plugins.contains(path))
-            if (const auto content = readFile(path)) plugins[path] = contentHash(*content);
-        return load(path, with);
-    };
+    HashingLoader plugins(request.plugins);
+    options.loading.plugins = plugins.loader();
     options.loaded = request.plugins.loaded;
     {
         TrialExpressions expressions(experiment);
@@ -83,7 +74,7 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
     options.command = repeated("mrose run", request) + pluginFlags(request.plugins);
     options.window = repeated("mrose-gui", request);
     options.identity = identityOf((*opened)->content, experiment, request);
-    for (const auto& [path, hash] : plugins) options.identity[std::string(contentOf) + path] = hash;
+    for (const auto& [path, hash] : plugins.hashes()) options.identity[std::string(contentOf) + path] = hash;
     options.begins = watch.runBegins;
     options.progress = watch.progress;
     options.goesOn = watch.goesOn;

@@ -1,8 +1,5 @@
 #include "workflow/tune_behaviour.h"
 
-#include <map>
-#include <mutex>
-
 #include "experiment/trial.h"
 #include "io/file.h"
 #include "io/format.h"
@@ -76,15 +73,8 @@ Expected<TunedBehaviour> tuneBehaviour(const TuneRequest& request, const TuneWat
     if (!file) return tl::unexpected(file.error());
     TuningOptions options;
     // What is in their files is part of what the rows depend on: reading the tuning loads them.
-    std::mutex mutex;
-    std::map<std::string, std::string> plugins;
-    const PluginLoader load = pluginLoader(request.plugins);
-    options.loading.plugins = [&](const std::string& path, const std::string& with) {
-        const std::lock_guard lock(mutex);
-        if (!plugins.contains(path))
-            if (const auto content = readFile(path)) plugins[path] = contentHash(*content);
-        return load(path, with);
-    };
+    HashingLoader plugins(request.plugins);
+    options.loading.plugins = plugins.loader();
     options.loaded = request.plugins.loaded;
     auto tuning = readTuning(*file, source, options.loading);  // plug-ins, too, say what of a range does not fit
     if (!tuning) return tl::unexpected(tuning.error());
@@ -98,7 +88,7 @@ Expected<TunedBehaviour> tuneBehaviour(const TuneRequest& request, const TuneWat
     options.command = repeatedBy("mrose run", tuning->experimentCalled);
     options.window = repeatedBy("mrose-gui", tuning->experimentCalled);
     options.identity = identityOfTuning(*tuning);
-    for (const auto& [path, hash] : plugins) options.identity[std::string(contentOf) + path] = hash;
+    for (const auto& [path, hash] : plugins.hashes()) options.identity[std::string(contentOf) + path] = hash;
     options.begins = watch.runBegins;
     options.progress = watch.progress;
     options.goesOn = watch.goesOn;
