@@ -370,10 +370,16 @@ struct Kind {
     std::string_view name;
     ControllerSetting (*read)(const Context&);
 };
-constexpr std::array kinds{
-    Kind{"velocity_script", velocityScript}, Kind{"log_player", logPlayer}, Kind{"go_to_pose", goToPose},
-    Kind{"chase_ball", chaseBall}, Kind{"free_ball", freeBall}, Kind{"team_player", teamPlayer}, Kind{"wander", wander},
-    Kind{"dynamic_window", dynamicWindow}, Kind{"navigate", navigate}, Kind{"plugin", plugin}};
+constexpr std::array kinds{Kind{"velocity_script", velocityScript},
+                           Kind{"log_player", logPlayer},
+                           Kind{"go_to_pose", goToPose},
+                           Kind{"chase_ball", chaseBall},
+                           Kind{"free_ball", freeBall},
+                           Kind{"team_player", teamPlayer},
+                           Kind{"wander", wander},
+                           Kind{"dynamic_window", dynamicWindow},
+                           Kind{"navigate", navigate},
+                           Kind{"plugin", plugin}};
 
 }  // namespace
 

@@ -119,7 +119,8 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         {"{ kind = \"dance\" }",
          "s.toml:22:23: robot[\"two\"].controller.kind: is \"dance\"; expected one of \"velocity_script\", "
          "\"log_player\", "
-         "\"go_to_pose\", \"chase_ball\", \"free_ball\", \"team_player\", \"wander\", \"dynamic_window\", \"navigate\", "
+         "\"go_to_pose\", \"chase_ball\", \"free_ball\", \"team_player\", \"wander\", \"dynamic_window\", "
+         "\"navigate\", "
          "\"plugin\""},
         {"{ kind = \"wander\", pace = 1 }",
          "s.toml:22:40: robot[\"two\"].controller.pace: is not a known key; expected one of change_every_s, "
