@@ -64,6 +64,8 @@ struct Navigate::Memory {
     Nanoseconds holdUntil;   ///< 0: it does not stop
     double blocked;          ///< s, for how long somebody has been in the way
     Nanoseconds roundUntil;  ///< until then others count as obstacles where they are
+    MethodChoice choice;
+    std::int64_t plannedBy;  ///< numberOf() the method by which it planned last
 
     std::span<const Point> path() const { return std::span(points).first(static_cast<std::size_t>(count)); }
     bool holds() const { return motion.now() < holdUntil; }
@@ -79,12 +81,17 @@ std::size_t Navigate::memorySize() const {
     static_assert(sizeof(Memory::Mate) == sizeof(ComingPath) + 6 * 8, "no padding");
     static_assert(sizeof(Memory) == sizeof(MotionMemory) + sizeof(OwnBelief) + sizeof(BackOff) + sizeof(Arrival) +
                                         mostBodies * (sizeof(Memory::Object) + sizeof(Memory::Mate)) +
-                                        mostPoints * sizeof(Point) + 10 * 8,
+                                        mostPoints * sizeof(Point) + 11 * 8 + sizeof(MethodChoice),
                   "no padding");
     return sizeof(Memory);
 }
 
 namespace {
+
+std::int64_t numberOf(const TeamMethod& method) {
+    return (static_cast<std::int64_t>(method.planner) * 16 + static_cast<std::int64_t>(method.repair)) * 2 +
+           (method.lowestFirst ? 1 : 2);
+}
 
 /// Where a team mate is by what it told, or where it was seen, if that is newer.
 template <class Mate>
@@ -154,10 +161,51 @@ Navigate::Traffic Navigate::traffic(const Observation& observation, const Memory
         const bool stands = !told || mate.path.resting != 0;
         if (stands || (round && distance(*place, position(memory.self.pose)) < 3 * separation()))
             pieces.push_back(ConvexPiece::circle(*place, options_.radius));
-        else if (yieldsTo(i, observation.robot))
+        else if (yieldsTo(i, observation.robot, memory))
             others.push_back(mate.path.timed(toSeconds(mate.sent - observation.time), options_.rotation));
     }
     return {DiscSpace(std::move(pieces), options_.radius + options_.spare), std::move(others)};
+}
+
+const TeamMethod& Navigate::methodNow(const Memory& memory) const {
+    const auto chosen = static_cast<std::size_t>(memory.choice.chosen);
+    return chosen > 0 && chosen <= options_.choice.methods.size() ? options_.choice.methods[chosen - 1]
+                                                                  : options_.method;
+}
+
+/// What a mate tells that comes before it counts. Who is the first itself plans for all, once it has heard who is
+/// there.
+void Navigate::chooseMethod(const Observation& observation, Memory& memory) const {
+    const MethodChoice::Options& options = options_.choice;
+    if (options.methods.empty()) return;
+    const auto hears = [&](const Memory::Mate& mate) {
+        return mate.told != 0 && observation.time - mate.sent <= believedFor;
+    };
+    for (std::size_t i = 0; i < std::min<std::size_t>(observation.robot, mostBodies); ++i)
+        if (const Memory::Mate& mate = memory.mates[i]; hears(mate)) {
+            if (mate.path.method != 0) memory.choice.chosen = mate.path.method;
+            return;
+        }
+    if (!memory.choice.hasListened(observation.time, options) || memory.choice.considered != 0) return;
+    std::vector<TeamMember> team{{memory.self.pose, options_.target}};
+    std::vector<ConvexPiece> pieces = options_.walls->pieces();
+    double objects = 0;
+    for (const Memory::Object& object : memory.objects)
+        if (object.known != 0) {
+            pieces.push_back(ConvexPiece::circle(object.place, options_.objectRadius));
+            ++objects;
+        }
+    for (std::size_t i = 0; i < memory.mates.size(); ++i) {
+        const Memory::Mate& mate = memory.mates[i];
+        const auto place = placeOfMate(mate, observation.time, options_.rotation);
+        if (i == observation.robot || !place) continue;
+        if (hears(mate))
+            team.push_back({{place->x, place->y, mate.path.heading}, mate.path.target()});
+        else
+            pieces.push_back(ConvexPiece::circle(*place, options_.radius));
+    }
+    const DiscSpace space(std::move(pieces), options_.radius + options_.spare);
+    memory.choice.consider({team, space, objects, driveTimes(0), separation()}, options);
 }
 
 /// Whether the rest of its path is free still, and in no new conflict.
@@ -171,23 +219,20 @@ bool Navigate::stillGood(const Traffic& traffic, const Pose& ahead, const Memory
     for (std::size_t i = 2; i + 1 < rest.size(); ++i)
         if (traffic.space.distance(rest[i - 1], rest[i], 1) < traffic.space.radius() - passingNearer) return false;
     rest.front() = position(ahead);
-    const DriveTimes drive{ahead.heading, 0.95 * options_.speed, options_.rotation, options_.deadTime};
-    return !firstConflict(timedPath(rest, drive), traffic.others, separation());
+    return !firstConflict(timedPath(rest, driveTimes(ahead.heading)), traffic.others, separation());
 }
 
 void Navigate::plan(const Observation& observation, const Pose& ahead, Memory& memory) const {
     memory.checked = observation.time;
-    const Traffic seen = traffic(observation, memory);
+    Traffic seen = traffic(observation, memory);
     if (stillGood(seen, ahead, memory)) return;
-    const PlanRequest request{options_.planner,
-                              options_.repair,
-                              seen.space,
-                              position(ahead),
-                              position(options_.target),
-                              {ahead.heading, 0.95 * options_.speed, options_.rotation, options_.deadTime},
-                              seen.others,
-                              separation()};
+    const TeamMethod& method = methodNow(memory);
+    const PathFinder finder(method.planner, std::move(seen.space));
+    const PlanRequest request{
+        finder,      method.repair, position(ahead), position(options_.target), driveTimes(ahead.heading),
+        seen.others, separation()};
     Plan plan = repairedPlan(request);
+    memory.plannedBy = numberOf(method);
     ++memory.planned;
     memory.outcome = static_cast<std::int64_t>(plan.outcome);
     memory.clear = plan.clear ? 1 : 0;
@@ -234,7 +279,7 @@ void Navigate::noteBlocked(const Observation& observation, bool blocked, Memory&
     memory.blocked = blocked ? memory.blocked + since : 0;
     bool yields = false;
     for (std::size_t i = 0; i < memory.mates.size(); ++i)
-        if (yieldsTo(i, observation.robot))
+        if (yieldsTo(i, observation.robot, memory))
             if (const auto mate = placeOfMate(memory.mates[i], observation.time, options_.rotation))
                 yields = yields || distance(*mate, position(memory.self.pose)) < 2 * separation();
     if (memory.blocked < (yields ? yieldingPatience : otherPatience)) return;
@@ -244,6 +289,7 @@ void Navigate::noteBlocked(const Observation& observation, bool blocked, Memory&
 }
 
 Command Navigate::onTheWay(const Observation& observation, const Pose& ahead, Memory& memory) const {
+    if (memory.plannedBy != numberOf(methodNow(memory))) memory.count = 0;
     if (memory.count == 0 || observation.time - memory.checked >= planCheckedEvery) plan(observation, ahead, memory);
     if (memory.count == 0) return {};
     const auto path = memory.path();
@@ -286,6 +332,7 @@ void Navigate::tell(const Memory& memory, Decision& decision) const {
     told.targetY = static_cast<float>(options_.target.y);
     told.targetHeading = static_cast<float>(options_.target.heading);
     told.speed = static_cast<float>(0.95 * options_.speed);
+    told.method = static_cast<std::uint8_t>(memory.choice.chosen);
     told.resting = memory.arrival.phase == Arrival::resting ? 1 : 0;
     if (memory.count > 0 && memory.arrival.phase == Arrival::approaching) {
         std::vector<Point> rest = pointsAfter(memory.path(), memory.progress);
@@ -332,9 +379,7 @@ std::vector<MemoryEntry> Navigate::explain(std::span<const std::byte> bytes) con
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
     std::vector<MemoryEntry> entries{{.name = "state", .text = std::string(stateOf(memory))}};
-    entries.push_back(
-        {.name = "planner", .text = std::string(plannerNames[static_cast<std::size_t>(options_.planner)])});
-    entries.push_back({.name = "repair", .text = std::string(repairNames[static_cast<std::size_t>(options_.repair)])});
+    entries.push_back({.name = "method", .text = nameOf(methodNow(memory))});
     entries.push_back({"plans so far", static_cast<double>(memory.planned)});
     entries.push_back({"path length", lengthOf(memory.path()), "m"});
     entries.push_back({"progress", memory.progress, "m"});
@@ -348,6 +393,7 @@ std::vector<MemoryEntry> Navigate::explain(std::span<const std::byte> bytes) con
             entries.push_back({name + " x", memory.objects[i].place.x, "m"});
             entries.push_back({name + " y", memory.objects[i].place.y, "m"});
         }
+    memory.choice.explain(options_.choice, entries);
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
     return entries;
@@ -360,6 +406,7 @@ void Navigate::decide(const Observation& observation, std::span<std::byte> bytes
     decision.command = Command{};
     if (memory.self.known != 0) {
         rememberBodies(observation, options_.ball, memory);
+        chooseMethod(observation, memory);
         decision.command = drive(observation, memory);
         tell(memory, decision);
         annotate(memory, decision);

@@ -5,21 +5,21 @@
 #include <utility>
 
 #include "behaviour/floor_plan.h"
+#include "behaviour/method_choice.h"
 #include "control/controller.h"
-#include "planning/repairs.h"
 
 namespace mrose {
 
 /// Drives to a pose by a planned path, among walls that it knows and bodies that it sees and remembers, and rests
 /// there. Robots of a team tell each other their coming paths; who does not go first, by its index, repairs its own
-/// where it conflicts with theirs. What is planned holds until it no longer does.
+/// where it conflicts with theirs. What is planned holds until it no longer does. By which method they plan may be
+/// chosen on the way: by the first of them, which tells the others.
 class Navigate final : public Controller {
 public:
     struct Options {
-        Pose target;  ///< in the world's frame
-        Planner planner = Planner::visibilityGraph;
-        Repair repair = Repair::wait;
-        bool lowestFirst = true;        ///< robots of lower index go first, otherwise those of higher
+        Pose target;        ///< in the world's frame
+        TeamMethod method;  ///< until another one is chosen
+        MethodChoice::Options choice;
         double speed = 0.4;             ///< m/s
         double rotation = 1;            ///< rad/s
         double tolerance = 0.05;        ///< m
@@ -42,6 +42,8 @@ public:
 private:
     struct Memory;
     struct Traffic;
+    const TeamMethod& methodNow(const Memory& memory) const;
+    void chooseMethod(const Observation& observation, Memory& memory) const;
     Command drive(const Observation& observation, Memory& memory) const;
     Command onTheWay(const Observation& observation, const Pose& ahead, Memory& memory) const;
     double freeAhead(const Observation& observation, const Pose& ahead, double most, const Memory& memory) const;
@@ -52,7 +54,12 @@ private:
     void tell(const Memory& memory, Decision& decision) const;
     void annotate(const Memory& memory, Decision& decision) const;
     std::string_view stateOf(const Memory& memory) const;
-    bool yieldsTo(std::size_t mate, std::size_t own) const { return options_.lowestFirst ? mate < own : mate > own; }
+    bool yieldsTo(std::size_t mate, std::size_t own, const Memory& memory) const {
+        return methodNow(memory).lowestFirst ? mate < own : mate > own;
+    }
+    DriveTimes driveTimes(double heading) const {
+        return {heading, 0.95 * options_.speed, options_.rotation, options_.deadTime};
+    }
     double separation() const { return 2 * options_.radius + options_.spare; }
 
     Options options_;

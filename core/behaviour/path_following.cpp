@@ -11,12 +11,6 @@ constexpr double slowsWithin = 0.5;  // m, of the end
 
 }  // namespace
 
-double lengthOf(std::span<const Point> points) {
-    double sum = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
-    return sum;
-}
-
 double progressAlong(std::span<const Point> points, const Point& place, double was, double most) {
     double along = 0, best = was, least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < points.size() && along <= was + most; ++i) {

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "behaviour/steering.h"
+#include "planning/path.h"
 
 namespace mrose {
 
 /// How far along a way through points a robot is, m: by the point of the way that is nearest to it, of those that lie
 /// up to `most` metres beyond where it was.
 double progressAlong(std::span<const Point> points, const Point& place, double was, double most = 1.0);
-double lengthOf(std::span<const Point> points);
 Point pointAt(std::span<const Point> points, double along);
 /// The points that are still to come after so many metres.
 std::vector<Point> pointsAfter(std::span<const Point> points, double along);

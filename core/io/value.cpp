@@ -8,17 +8,24 @@
 namespace mrose {
 namespace {
 
-/// One step of a path: a key of a table, or an element of an array by its number from 0 or its name.
+/// One step of a path: a key of a table, or an element of an array by its number from 0 or its name, or all of them.
 struct Step {
     std::string key;
     std::optional<std::size_t> index = {};
     bool name = false;  ///< the key is an element's name
+    bool all = false;
+
+    bool ofArray() const { return index || name || all; }
 };
 
 bool isKeyLetter(char letter) { return letter != '.' && letter != '[' && letter != ']' && letter != '"'; }
 
 /// `[2]` or `["keeper"]` off the front of a path.
 std::optional<Step> takeElement(std::string_view& path) {
+    if (path.starts_with("[*]")) {
+        path.remove_prefix(3);
+        return Step{{}, {}, false, true};
+    }
     if (path.starts_with("[\"")) {
         const std::size_t end = path.find("\"]", 2);
         if (end == std::string_view::npos) return {};
@@ -63,18 +70,23 @@ const Value& inside(const Value& value) {
     return file ? file->content : value;
 }
 
+/// Whether a step names the element of an array at a place.
+bool names(const Step& step, const Value::Array& array, std::size_t place) {
+    if (!step.name) return step.all || step.index == place;
+    const Value* const name = array[place].find("name");
+    return name && name->asText() && *name->asText() == step.key;
+}
+
+/// The first element that a step names.
 std::optional<std::size_t> elementOf(const Value::Array& array, const Step& step) {
-    if (!step.name) return step.index && *step.index < array.size() ? step.index : std::nullopt;
-    for (std::size_t i = 0; i < array.size(); ++i) {
-        const Value* const name = array[i].find("name");
-        if (name && name->asText() && *name->asText() == step.key) return i;
-    }
+    for (std::size_t i = 0; i < array.size(); ++i)
+        if (names(step, array, i)) return i;
     return {};
 }
 
 const Value* childOf(const Value& value, const Step& step) {
     const Value& content = inside(value);
-    if (!step.index && !step.name) return content.find(step.key);
+    if (!step.ofArray()) return content.find(step.key);
     const Value::Array* const array = content.asArray();
     const auto element = array ? elementOf(*array, step) : std::nullopt;
     return element ? &(*array)[*element] : nullptr;
@@ -96,25 +108,28 @@ std::optional<Value> changed(const Value& from, Steps steps, const std::optional
     if (steps.empty()) return value;
     const Step& step = steps.front();
     const Value& content = inside(from);
-    if (step.index || step.name) {
+    if (step.ofArray()) {
         const Value::Array* const array = content.asArray();
-        const auto element = array ? elementOf(*array, step) : std::nullopt;
-        if (!element) return {};
-        Value::Array copy = *array;
-        const auto place = copy.begin() + static_cast<std::ptrdiff_t>(*element);
-        if (steps.size() == 1 && !value) {
-            copy.erase(place);
-        } else {
-            auto child = changed(*place, steps.subspan(1), value);
+        if (!array || !elementOf(*array, step)) return {};
+        Value::Array copy;
+        bool found = false;
+        for (std::size_t i = 0; i < array->size(); ++i) {
+            if (!names(step, *array, i) || (found && !step.all)) {
+                copy.push_back((*array)[i]);
+                continue;
+            }
+            found = true;
+            if (steps.size() == 1 && !value) continue;
+            auto child = changed((*array)[i], steps.subspan(1), value);
             if (!child) return {};
-            *place = std::move(*child);
+            copy.push_back(std::move(*child));
         }
         return repacked(from, std::move(copy));
     }
     const Value::Table* const table = content.asTable();
     if (!table) return {};
     const auto found = table->find(step.key);
-    if (found == table->end() && (!value || (steps.size() > 1 && (steps[1].index || steps[1].name)))) return {};
+    if (found == table->end() && (!value || (steps.size() > 1 && steps[1].ofArray()))) return {};
     Value::Table copy = *table;
     if (steps.size() == 1 && !value) {
         copy.erase(step.key);

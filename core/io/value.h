@@ -49,8 +49,8 @@ public:
     const Value* find(std::string_view key) const;
 
     /// The value at a path such as `robot[2].start.x_m` or `robot["keeper"].network`: elements count from 1, or are
-    /// given by their key `name`; what a named file holds is reached through the key that names it. Null: there is
-    /// none.
+    /// given by their key `name`, or all of them as `robot[*]`, of which this is the first; what a named file holds is
+    /// reached through the key that names it. Null: there is none.
     const Value* at(std::string_view path) const;
     /// This value with another one at a path, whose last key may be new, and whose tables before it, too. Error: its
     /// key is the path; there is no such element, or something on the way is no table.

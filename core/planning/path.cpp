@@ -44,26 +44,36 @@ double angleFrom(const Point& a, const Point& b) { return std::abs(arcTangent(cr
 
 double PathPart::length() const { return angle == 0 ? distance(from, to) : std::abs(angle) * distance(centre, from); }
 
-Path pathOf(std::vector<PathPart> parts, const DiscSpace& space) {
+Path pathOf(std::vector<PathPart> parts) {
     std::erase_if(parts, [](const PathPart& part) { return part.length() < noLength; });
-    Path path;
-    path.outcome = Path::Outcome::found;
-    path.parts = std::move(parts);
-    path.leastDistance = farthestDistance;
-    for (std::size_t i = 0; i < path.parts.size(); ++i) {
-        const PathPart& part = path.parts[i];
-        path.length += part.length();
-        path.turns += std::abs(part.angle);
-        if (i > 0) path.turns += angleFrom(ending(path.parts[i - 1]), beginning(part));
-        path.leastDistance = distanceOf(part, space, path.leastDistance);
-    }
-    return path;
+    return {Path::Outcome::found, std::move(parts)};
 }
 
-Path pathThrough(const std::vector<Point>& points, const DiscSpace& space) {
+Path pathThrough(const std::vector<Point>& points) {
     std::vector<PathPart> parts;
     for (std::size_t i = 1; i < points.size(); ++i) parts.push_back({points[i - 1], points[i]});
-    return pathOf(std::move(parts), space);
+    return pathOf(std::move(parts));
+}
+
+double lengthOf(const Path& path) {
+    double sum = 0;
+    for (const PathPart& part : path.parts) sum += part.length();
+    return sum;
+}
+
+double turnsOf(const Path& path) {
+    double sum = 0;
+    for (std::size_t i = 0; i < path.parts.size(); ++i) {
+        sum += std::abs(path.parts[i].angle);
+        if (i > 0) sum += angleFrom(ending(path.parts[i - 1]), beginning(path.parts[i]));
+    }
+    return sum;
+}
+
+double leastDistanceOf(const Path& path, const DiscSpace& space) {
+    double least = farthestDistance;
+    for (const PathPart& part : path.parts) least = distanceOf(part, space, least);
+    return least;
 }
 
 std::vector<Point> pointsOf(const Path& path, double most) {
@@ -80,6 +90,12 @@ std::vector<Point> pointsOf(const Path& path, double most) {
         points.push_back(part.to);
     }
     return points;
+}
+
+double lengthOf(std::span<const Point> points) {
+    double sum = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
+    return sum;
 }
 
 PathEnds freedEnds(const DiscSpace& space, const Point& start, const Point& goal) {

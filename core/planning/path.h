@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "planning/disc_space.h"
@@ -21,21 +22,25 @@ struct Path {
 
     Outcome outcome = Outcome::noWay;
     std::vector<PathPart> parts;  ///< each begins where the one before ends; none where no way was found
-    double length = 0;            ///< m
-    double leastDistance = 0;     ///< m, of the centre from a piece, at most `farthestDistance`; of arcs within 0.1 mm
-    double turns = 0;             ///< rad, all changes of its direction added up
 
     bool found() const { return outcome == Outcome::found; }
 };
-constexpr double farthestDistance = 10;  ///< m
 
-/// The path of these parts, measured in its space; parts without length are left out.
-Path pathOf(std::vector<PathPart> parts, const DiscSpace& space);
-Path pathThrough(const std::vector<Point>& points, const DiscSpace& space);
+/// The path of these parts; parts without length are left out.
+Path pathOf(std::vector<PathPart> parts);
+Path pathThrough(const std::vector<Point>& points);
+
+double lengthOf(const Path& path);  ///< m
+double turnsOf(const Path& path);   ///< rad, all changes of its direction added up
+/// m, of the centre from a piece, at most `farthestDistance`; of arcs within 0.1 mm.
+double leastDistanceOf(const Path& path, const DiscSpace& space);
+constexpr double farthestDistance = 10;  ///< m
 
 /// Points of a path from its start to its goal, a straight way between any two: of arcs one at least every `most` rad,
 /// a little outside, so that the way touches the arc and does not cut it.
 std::vector<Point> pointsOf(const Path& path, double most = 0.35);
+
+double lengthOf(std::span<const Point> points);  ///< m, of the way through them
 
 /// Start and goal as planners take them: a disc that is too near to a piece first goes out of it by the shortest way,
 /// and comes to such a goal last.

@@ -1,22 +1,27 @@
 #include "planning/planner.h"
 
+#include <utility>
+
 #include "planning/potential_field.h"
 #include "planning/via_points.h"
 #include "planning/visibility_graph.h"
-#include "planning/voronoi_roadmap.h"
 
 namespace mrose {
 
-Path plannedPath(Planner planner, const DiscSpace& space, const Point& start, const Point& goal) {
-    switch (planner) {
+PathFinder::PathFinder(Planner planner, DiscSpace space) : planner_(planner), space_(std::move(space)) {
+    if (planner_ == Planner::voronoi) roadmap_.emplace(space_);
+}
+
+Path PathFinder::path(const Point& start, const Point& goal) const {
+    switch (planner_) {
         case Planner::potentialField:
-            return potentialFieldPath(space, start, goal).path;
+            return potentialFieldPath(space_, start, goal).path;
         case Planner::visibilityGraph:
-            return shortestPath(space, start, goal);
+            return shortestPath(space_, start, goal);
         case Planner::voronoi:
-            return greatestClearancePath(space, start, goal);
+            return roadmap_->path(start, goal);
         case Planner::viaPoints:
-            return viaPointPath(space, start, goal);
+            return viaPointPath(space_, start, goal);
     }
     return {};
 }

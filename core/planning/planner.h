@@ -1,16 +1,29 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
-#include "planning/path.h"
+#include "planning/voronoi_roadmap.h"
 
 namespace mrose {
 
 enum class Planner { potentialField, visibilityGraph, voronoi, viaPoints };
 constexpr std::array<std::string_view, 4> plannerNames{"potential_field", "visibility_graph", "voronoi", "via_points"};
 
-/// A way of a disc by one of the planners.
-Path plannedPath(Planner planner, const DiscSpace& space, const Point& start, const Point& goal);
+/// Finds ways of a disc in one space by one of the planners. What that needs of the space it makes once.
+class PathFinder {
+public:
+    PathFinder(Planner planner, DiscSpace space);
+
+    Planner planner() const { return planner_; }
+    const DiscSpace& space() const { return space_; }
+    Path path(const Point& start, const Point& goal) const;
+
+private:
+    Planner planner_;
+    DiscSpace space_;
+    std::optional<VoronoiRoadmap> roadmap_;
+};
 
 }  // namespace mrose

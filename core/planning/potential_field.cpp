@@ -180,7 +180,7 @@ PotentialFieldPath potentialFieldPath(const DiscSpace& space, const Point& start
     std::vector<Point> kept{start, points.front()};
     addThinned(points, 0, points.size() - 1, space, kept);
     kept.push_back(goal);
-    result.path = pathThrough(kept, space);
+    result.path = pathThrough(kept);
     return result;
 }
 

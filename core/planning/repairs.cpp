@@ -8,15 +8,15 @@
 namespace mrose {
 namespace {
 
-constexpr double holdStep = 0.2;        // m, between places where it may stop
-constexpr int mostHolds = 16;           // of these
-constexpr int mostDelays = 6;           // of which each lets one conflict pass
-constexpr int halvings = 4;             // of the time that is too long
-constexpr double afterwards = 0.2;      // s, that it stops longer
-constexpr double longestHold = 30;      // s
-constexpr int mostImagined = 4;         // conflicts
-constexpr double imaginedApart = 0.25;  // m, between the discs of an imagined obstacle
-constexpr int mostDiscs = 12;           // of these
+constexpr double holdStep = 0.2;       // m, between places where it may stop
+constexpr int mostHolds = 16;          // of these
+constexpr int mostDelays = 6;          // of which each lets one conflict pass
+constexpr int halvings = 4;            // of the time that is too long
+constexpr double afterwards = 0.2;     // s, that it stops longer
+constexpr double longestHold = 30;     // s
+constexpr int mostImagined = 4;        // conflicts
+constexpr double imaginedApart = 0.4;  // m, between the discs of an imagined obstacle
+constexpr int mostDiscs = 8;           // of these
 
 /// About the least stop at one place of a path after which nothing conflicts; negative: none.
 double leastHold(const PlanRequest& request, const std::vector<Point>& points, double at) {
@@ -38,12 +38,6 @@ double leastHold(const PlanRequest& request, const std::vector<Point>& points, d
         (conflictAfter(middle) ? tooShort : duration) = middle;
     }
     return duration;
-}
-
-double lengthOf(const std::vector<Point>& points) {
-    double sum = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
-    return sum;
 }
 
 /// How far along its points a timed path is at a time.
@@ -72,9 +66,8 @@ void wait(const PlanRequest& request, const Conflict& conflict, Plan& plan) {
     }
 }
 
-std::vector<Point> plannedPoints(const PlanRequest& request, const DiscSpace& space, const Point& from,
-                                 const Point& to) {
-    const Path path = plannedPath(request.planner, space, from, to);
+std::vector<Point> plannedPoints(const PathFinder& finder, const Point& from, const Point& to) {
+    const Path path = finder.path(from, to);
     if (!path.found()) return {};
     std::vector<Point> points = pointsOf(path);
     if (points.empty()) points = {from, to};
@@ -87,7 +80,7 @@ std::vector<Point> temporaryTargets(const PlanRequest& request, const Conflict& 
     for (const double far : {0.75, 1.25})
         for (int k = 0; k < 8; ++k) {
             const Point place = conflict.mine + (far * request.separation) * towards(2 * std::numbers::pi * k / 8);
-            if (!request.space.free(place)) continue;
+            if (!request.finder.space().free(place)) continue;
             double passed = std::numeric_limits<double>::infinity();
             for (const TimedPath& other : request.others)
                 for (std::size_t i = 0; i < other.instants.size(); ++i)
@@ -105,8 +98,8 @@ std::vector<Point> temporaryTargets(const PlanRequest& request, const Conflict& 
 void goAside(const PlanRequest& request, const Conflict& conflict, Plan& plan) {
     double soonest = std::numeric_limits<double>::infinity();
     for (const Point& place : temporaryTargets(request, conflict)) {
-        std::vector<Point> points = plannedPoints(request, request.space, request.start, place);
-        const std::vector<Point> onwards = plannedPoints(request, request.space, place, request.goal);
+        std::vector<Point> points = plannedPoints(request.finder, request.start, place);
+        const std::vector<Point> onwards = plannedPoints(request.finder, place, request.goal);
         if (points.empty() || onwards.empty()) continue;
         const double at = lengthOf(points);
         points.insert(points.end(), onwards.begin() + 1, onwards.end());
@@ -142,16 +135,19 @@ std::vector<Point> placesOf(const TimedPath& other, const Conflict& conflict, bo
 
 void goRound(const PlanRequest& request, Conflict conflict, std::size_t with, bool now, Plan& plan) {
     // Between its centre and theirs there is the separation: what is beyond its own radius is the obstacle's.
-    const double radius = std::max(0.01, request.separation - request.space.radius());
+    const double radius = std::max(0.01, request.separation - request.finder.space().radius());
     std::vector<Point> discs;
     for (int i = 0; i < mostImagined; ++i) {
+        const auto near = [](const Point& place) {
+            return [&place](const Point& disc) { return distance(disc, place) < imaginedApart; };
+        };
         for (const Point& place : placesOf(request.others[with], conflict, now, request.drive.begin))
             if (distance(place, request.start) > request.separation &&
-                distance(place, request.goal) > request.separation)
+                distance(place, request.goal) > request.separation && std::ranges::none_of(discs, near(place)))
                 discs.push_back(place);
         if (discs.empty()) return;
-        std::vector<Point> points =
-            plannedPoints(request, withDiscs(request.space, discs, radius), request.start, request.goal);
+        const PathFinder round(request.finder.planner(), withDiscs(request.finder.space(), discs, radius));
+        std::vector<Point> points = plannedPoints(round, request.start, request.goal);
         if (points.empty()) return;
         plan.points = std::move(points);
         const auto again = firstConflict(plan.timed(request.drive), request.others, request.separation, &with);
@@ -176,7 +172,7 @@ std::optional<Conflict> firstConflict(const TimedPath& mine, std::span<const Tim
 }
 
 Plan repairedPlan(const PlanRequest& request) {
-    const Path path = plannedPath(request.planner, request.space, request.start, request.goal);
+    const Path path = request.finder.path(request.start, request.goal);
     Plan plan;
     plan.outcome = path.outcome;
     if (!path.found()) return plan;

@@ -26,11 +26,10 @@ struct Plan {
     TimedPath timed(const DriveTimes& drive) const { return timedPath(points, drive, hold); }
 };
 
-/// What is asked of planner and repair.
+/// What is asked of a planner and a repair.
 struct PlanRequest {
-    Planner planner = Planner::visibilityGraph;
+    const PathFinder& finder;
     Repair repair = Repair::wait;
-    const DiscSpace& space;
     Point start, goal;
     DriveTimes drive;
     std::span<const TimedPath> others;  ///< to which it gives way

@@ -33,6 +33,48 @@ struct RelativeMotion {
     }
 };
 
+Point between(const TimedPath::Instant& from, const TimedPath::Instant& to, double time) {
+    return from.place + ((time - from.time) / (to.time - from.time)) * (to.place - from.place);
+}
+
+/// Goes along a path in time.
+class Walk {
+public:
+    explicit Walk(const TimedPath& path) : path_(path) {}
+
+    double nextTime() const { return next_ < path_.instants.size() ? path_.instants[next_].time : endless; }
+    void pass(double time) {
+        while (nextTime() <= time) ++next_;
+    }
+    /// Not before what was passed, and not after what comes next.
+    Point at(double time) const {
+        if (next_ == 0) return path_.instants.front().place;
+        const TimedPath::Instant& from = path_.instants[next_ - 1];
+        if (next_ == path_.instants.size() || time <= from.time) return from.place;
+        return between(from, path_.instants[next_], time);
+    }
+
+private:
+    const TimedPath& path_;
+    std::size_t next_ = 0;
+};
+
+/// The motion of one disc relative to another, piece by piece, until both have arrived, or `see` returns false.
+template <class See>
+void seeMotions(const TimedPath& mine, const TimedPath& other, const See& see) {
+    Walk one(mine), two(other);
+    double begin = std::min(one.nextTime(), two.nextTime());
+    for (;;) {
+        one.pass(begin);
+        two.pass(begin);
+        const double end = std::min(one.nextTime(), two.nextTime());
+        if (end == endless) return;
+        const Point from = one.at(begin) - two.at(begin), to = one.at(end) - two.at(end);
+        if (!see(RelativeMotion{begin, end, from, (1 / (end - begin)) * (to - from)})) return;
+        begin = end;
+    }
+}
+
 }  // namespace
 
 Point TimedPath::at(double time) const {
@@ -40,8 +82,7 @@ Point TimedPath::at(double time) const {
     if (time >= instants.back().time) return instants.back().place;
     const auto later = std::upper_bound(instants.begin(), instants.end(), time,
                                         [](double t, const Instant& instant) { return t < instant.time; });
-    const Instant &from = *(later - 1), &to = *later;
-    return from.place + ((time - from.time) / (to.time - from.time)) * (to.place - from.place);
+    return between(*(later - 1), *later, time);
 }
 
 TimedPath timedPath(const std::vector<Point>& points, const DriveTimes& drive, const Hold& hold) {
@@ -80,25 +121,29 @@ TimedPath timedPath(const std::vector<Point>& points, const DriveTimes& drive, c
 }
 
 std::optional<Conflict> firstConflict(const TimedPath& mine, const TimedPath& other, double separation) {
-    std::vector<double> times;
-    for (const TimedPath* const path : {&mine, &other})
-        for (const TimedPath::Instant& instant : path->instants) times.push_back(instant.time);
-    std::sort(times.begin(), times.end());
     std::optional<Conflict> conflict;
-    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-        const double begin = times[i], end = times[i + 1];
-        if (end <= begin) continue;
-        const Point from = mine.at(begin) - other.at(begin), to = mine.at(end) - other.at(end);
-        const RelativeMotion motion{begin, end, from, (1 / (end - begin)) * (to - from)};
+    bool over = false;
+    seeMotions(mine, other, [&](const RelativeMotion& motion) {
         const auto [in, out] = motion.within(separation);
         if (!conflict && in < std::min(out, motion.closest()))
             conflict = Conflict{in, out, mine.at(in), other.at(in)};
         else if (conflict && in <= out)
             conflict->end = out;
-        if (conflict && conflict->end < end) return conflict;
-    }
-    if (conflict) conflict->end = endless;
+        over = conflict && conflict->end < motion.end;
+        return !over;
+    });
+    if (conflict && !over) conflict->end = endless;
     return conflict;
+}
+
+double leastDistance(const TimedPath& one, const TimedPath& other) {
+    double least = distance(one.instants.front().place, other.instants.front().place);
+    seeMotions(one, other, [&](const RelativeMotion& motion) {
+        least = std::min({least, length(motion.at(std::clamp(motion.closest(), motion.begin, motion.end))),
+                          length(motion.at(motion.end))});
+        return true;
+    });
+    return least;
 }
 
 }  // namespace mrose

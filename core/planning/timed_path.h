@@ -46,4 +46,7 @@ struct Conflict {
 /// Exact. Who parts from another one is in no conflict with it.
 std::optional<Conflict> firstConflict(const TimedPath& mine, const TimedPath& other, double separation);
 
+/// How near two discs come on their paths: m, between their centres. Exact.
+double leastDistance(const TimedPath& one, const TimedPath& other);
+
 }  // namespace mrose

@@ -106,7 +106,7 @@ Path viaPointPath(const DiscSpace& space, const Point& start, const Point& goal,
     Way points{start, ends.start};
     points.insert(points.end(), way->begin(), way->end());
     points.push_back(goal);
-    return pathThrough(points, space);
+    return pathThrough(points);
 }
 
 }  // namespace mrose

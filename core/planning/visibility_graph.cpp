@@ -1,7 +1,6 @@
 #include "planning/visibility_graph.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -73,7 +72,8 @@ public:
             std::pop_heap(open_.begin(), open_.end(), later);
             const std::size_t at = open_.back().second;
             open_.pop_back();
-            if (nodes_[at].corner == goalNumber) return partsTo(at);
+            if (!free(nodes_[at])) continue;
+            if (nodes_[at].by->corner == goalNumber) return partsTo(at);
             if (!dominated(at)) leave(at);
         }
         return std::nullopt;
@@ -81,13 +81,27 @@ public:
 
 private:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max(), goalNumber = none - 1;
-    /// A way to where a tangent touches a corner.
+    /// A tangent to another corner.
+    struct Exit {
+        std::size_t corner;  ///< or the goal's number
+        int sense;           ///< in which that is passed
+        Tangent tangent;
+        double length;
+        std::optional<bool> free;  ///< once it was asked
+    };
+    /// A way to where a tangent touches a corner. Whether its last part is free is seen to when it is its turn: most
+    /// never come to it.
     struct Node {
-        std::size_t corner, before;  ///< the goal's number; the node before, or none: the start
-        int sense;
-        Point normal, place, left;  ///< where the tangent touches this corner, and where it left the one before
+        Exit* by;
+        std::size_t before;  ///< the node before, or none: the start
         double length;
         double angleBefore;  ///< rad, round the corner before, in its sense
+    };
+    /// What leaves a corner, or comes to it, in one sense.
+    struct Passing {
+        std::vector<Exit> exits;
+        bool known = false;             ///< the exits are
+        std::vector<std::size_t> left;  ///< nodes from which it was left
     };
     static bool later(const std::pair<double, std::size_t>& a, const std::pair<double, std::size_t>& b) {
         return a > b;
@@ -96,18 +110,21 @@ private:
     void makeCorners();
     void add(RoundCorner corner);
     bool cut(const RoundCorner& corner, const Point& from, double angle, int sense) const;
+    Passing& passing(std::size_t corner, int sense) { return passings_[2 * corner + (sense > 0 ? 0 : 1)]; }
+    void findExits(const RoundCorner& from, int fromSense, std::size_t number, std::vector<Exit>& exits) const;
+    void reach(std::size_t at, Exit& exit);
+    bool free(const Node& node);
     void leave(std::size_t at);
-    void reach(std::size_t at, std::size_t corner, int sense);
     bool dominated(std::size_t at);
     std::vector<PathPart> partsTo(std::size_t at) const;
-    const RoundCorner& cornerOf(std::size_t number) const { return number == goalNumber ? goal_ : corners_[number]; }
 
     const DiscSpace& space_;
     RoundCorner start_, goal_;
     std::vector<RoundCorner> corners_;
+    std::vector<Exit> starts_;       ///< exits of the start
+    std::vector<Passing> passings_;  ///< by corner and sense
     std::vector<Node> nodes_;
-    std::vector<std::pair<double, std::size_t>> open_;           ///< heap: length and straight rest, node
-    std::vector<std::array<std::vector<std::size_t>, 2>> left_;  ///< nodes from which a corner was left, by sense
+    std::vector<std::pair<double, std::size_t>> open_;  ///< heap: length and straight rest, node
 };
 
 void TangentSearch::makeCorners() {
@@ -122,7 +139,7 @@ void TangentSearch::makeCorners() {
                  .full = piece.isCircle(),
                  .piece = i});
     }
-    left_.resize(corners_.size());
+    passings_.resize(2 * corners_.size());
 }
 
 /// Without those that lie within another piece: nothing of their growth is free.
@@ -160,42 +177,68 @@ bool TangentSearch::cut(const RoundCorner& corner, const Point& from, double ang
     return false;
 }
 
-/// A node where a tangent from the corner of node `at` reaches another one, if it is free.
-void TangentSearch::reach(std::size_t at, std::size_t corner, int sense) {
-    const bool fromStart = at == none;
-    const RoundCorner& from = fromStart ? start_ : corners_[nodes_[at].corner];
-    const int fromSense = fromStart ? 1 : nodes_[at].sense;
-    const std::optional<Tangent> tangent = tangentBetween(from, fromSense, cornerOf(corner), sense);
-    if (!tangent) return;
-    double length = distance(tangent->from, tangent->to), angle = 0;
-    if (!fromStart) {
-        const auto round = angleRound(from, nodes_[at].normal, tangent->fromNormal, fromSense);
-        if (!round || cut(from, nodes_[at].normal, *round, fromSense)) return;
+void TangentSearch::findExits(const RoundCorner& from, int fromSense, std::size_t number,
+                              std::vector<Exit>& exits) const {
+    const auto add = [&](const RoundCorner& corner, std::size_t to, int sense) {
+        if (const auto tangent = tangentBetween(from, fromSense, corner, sense))
+            exits.push_back({to, sense, *tangent, distance(tangent->from, tangent->to), std::nullopt});
+    };
+    for (std::size_t to = 0; to < corners_.size(); ++to)
+        if (to != number)
+            for (const int sense : {1, -1}) add(corners_[to], to, sense);
+    if (number != none) add(goal_, goalNumber, 1);
+}
+
+/// A node where a tangent from the corner of node `at` reaches another one.
+void TangentSearch::reach(std::size_t at, Exit& exit) {
+    double length = exit.length, angle = 0;
+    if (at != none) {
+        const Exit& by = *nodes_[at].by;
+        const RoundCorner& from = corners_[by.corner];
+        const auto round = angleRound(from, by.tangent.toNormal, exit.tangent.fromNormal, by.sense);
+        if (!round) return;
         angle = *round;
         length += nodes_[at].length + angle * from.radius;
     }
-    if (!space_.free(tangent->from, tangent->to)) return;
-    nodes_.push_back({corner, at, sense, tangent->toNormal, tangent->to, tangent->from, length, angle});
-    open_.emplace_back(length + distance(tangent->to, goal_.centre), nodes_.size() - 1);
+    nodes_.push_back({&exit, at, length, angle});
+    open_.emplace_back(length + distance(exit.tangent.to, goal_.centre), nodes_.size() - 1);
     std::push_heap(open_.begin(), open_.end(), later);
 }
 
+/// Whether nothing cuts the tangent and the arc before it.
+bool TangentSearch::free(const Node& node) {
+    Exit& by = *node.by;
+    if (!by.free) by.free = space_.free(by.tangent.from, by.tangent.to);
+    if (!*by.free || node.before == none) return *by.free;
+    const Exit& before = *nodes_[node.before].by;
+    return !cut(corners_[before.corner], before.tangent.toNormal, node.angleBefore, before.sense);
+}
+
 void TangentSearch::leave(std::size_t at) {
-    for (std::size_t corner = 0; corner < corners_.size(); ++corner)
-        if (at == none || corner != nodes_[at].corner)
-            for (const int sense : {1, -1}) reach(at, corner, sense);
-    if (at != none) reach(at, goalNumber, 1);
+    if (at == none) {
+        findExits(start_, 1, none, starts_);
+        for (Exit& exit : starts_) reach(none, exit);
+        return;
+    }
+    const Exit& by = *nodes_[at].by;
+    Passing& here = passing(by.corner, by.sense);
+    if (!here.known) findExits(corners_[by.corner], by.sense, by.corner, here.exits);
+    here.known = true;
+    for (Exit& exit : here.exits)
+        if (exit.free.value_or(true)) reach(at, exit);
 }
 
 /// Whether the same corner was left, in the same sense, by a way that comes past here and is no longer.
 bool TangentSearch::dominated(std::size_t at) {
     const Node& node = nodes_[at];
-    const RoundCorner& corner = corners_[node.corner];
-    std::vector<std::size_t>& others = left_[node.corner][node.sense > 0 ? 0 : 1];
+    const Exit& by = *node.by;
+    const RoundCorner& corner = corners_[by.corner];
+    std::vector<std::size_t>& others = passing(by.corner, by.sense).left;
     for (const std::size_t i : others) {
-        const auto round = angleRound(corner, nodes_[i].normal, node.normal, node.sense);
+        const Point& normal = nodes_[i].by->tangent.toNormal;
+        const auto round = angleRound(corner, normal, by.tangent.toNormal, by.sense);
         if (round && nodes_[i].length + *round * corner.radius <= node.length + DiscSpace::slack &&
-            !cut(corner, nodes_[i].normal, *round, node.sense))
+            !cut(corner, normal, *round, by.sense))
             return true;
     }
     others.push_back(at);
@@ -206,10 +249,12 @@ std::vector<PathPart> TangentSearch::partsTo(std::size_t at) const {
     std::vector<PathPart> parts;
     for (; at != none; at = nodes_[at].before) {
         const Node& node = nodes_[at];
-        parts.push_back({node.left, node.place});
+        const Tangent& tangent = node.by->tangent;
+        parts.push_back({tangent.from, tangent.to});
         if (node.before == none) continue;
-        const Node& before = nodes_[node.before];
-        parts.push_back({before.place, node.left, corners_[before.corner].centre, before.sense * node.angleBefore});
+        const Exit& before = *nodes_[node.before].by;
+        parts.push_back(
+            {before.tangent.to, tangent.from, corners_[before.corner].centre, before.sense * node.angleBefore});
     }
     std::reverse(parts.begin(), parts.end());
     return parts;
@@ -224,7 +269,7 @@ Path shortestPath(const DiscSpace& space, const Point& start, const Point& goal)
     if (!parts) return {};
     parts->insert(parts->begin(), {start, ends.start});
     parts->push_back({ends.goal, goal});
-    return pathOf(std::move(*parts), space);
+    return pathOf(std::move(*parts));
 }
 
 }  // namespace mrose

@@ -204,11 +204,7 @@ Path VoronoiRoadmap::path(const Point& start, const Point& goal) const {
     points.push_back(ends.start);
     points.push_back(start);
     std::reverse(points.begin(), points.end());
-    return pathThrough(points, space_);
-}
-
-Path greatestClearancePath(const DiscSpace& space, const Point& start, const Point& goal) {
-    return VoronoiRoadmap(space).path(start, goal);
+    return pathThrough(points);
 }
 
 }  // namespace mrose

@@ -46,7 +46,4 @@ private:
     std::vector<Way> ways_;
 };
 
-/// The roadmap made for one way.
-Path greatestClearancePath(const DiscSpace& space, const Point& start, const Point& goal);
-
 }  // namespace mrose

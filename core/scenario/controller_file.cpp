@@ -301,13 +301,50 @@ ControllerSetting dynamicWindow(const Context& context) {
     return {std::make_shared<DynamicWindow>(std::move(options))};
 }
 
+constexpr const char* methodsExpected =
+    "expected PLANNER+REPAIR+FIRST, as \"visibility_graph+wait+lowest\", up to 8 of them";
+
+/// Among which methods a team chooses, and by what: a task file, whose outputs are the methods, or by nothing yet.
+MethodChoice::Options methodChoice(const Context& context) {
+    TomlTable& table = context.table;
+    MethodChoice::Options options;
+    options.listen = durationOr(table, "listen_s", options.listen, {0, 10});
+    std::vector<std::string> names;
+    if (table.has("choose")) {
+        options.time = context.library.mapping(table, "choose", context.from);
+        if (!options.time) return {};
+        for (std::size_t k = 0; k < options.time->outputs(); ++k) names.emplace_back(options.time->output(k).name);
+    }
+    const std::string key = options.time ? "choose" : "methods";
+    if (options.time && table.has("methods"))
+        table.reject("methods", "are what `choose` maps to; expected one of both");
+    if (!options.time && table.has("methods")) names = table.strings("methods");
+    if (names.size() > MethodChoice::most) table.reject(key, "names too many methods; " + std::string(methodsExpected));
+    for (const std::string& name : names) {
+        const std::optional<TeamMethod> method = teamMethod(name);
+        if (!method) return table.reject(key, "names \"" + name + "\"; " + methodsExpected), MethodChoice::Options{};
+        options.methods.push_back(*method);
+    }
+    for (std::size_t i = 0; options.time && i < options.time->inputs(); ++i) {
+        const std::string_view name = options.time->input(i).name;
+        const auto input = MethodChoice::input(name, options.methods.size());
+        if (!input)
+            return table.reject(key, "asks for \"" + std::string(name) + "\"; expected " + MethodChoice::inputNames()),
+                   MethodChoice::Options{};
+        options.inputs.push_back(*input);
+    }
+    return options;
+}
+
 ControllerSetting navigate(const Context& context) {
     Navigate::Options options;
     TomlTable& table = context.table;
     options.target = pose(table.table("target"));
-    if (table.has("planner")) options.planner = static_cast<Planner>(table.choice("planner", plannerNames));
-    if (table.has("repair")) options.repair = static_cast<Repair>(table.choice("repair", repairNames));
-    if (table.has("first")) options.lowestFirst = table.choice("first", {"lowest", "highest"}) == 0;
+    TeamMethod& method = options.method;
+    if (table.has("planner")) method.planner = static_cast<Planner>(table.choice("planner", plannerNames));
+    if (table.has("repair")) method.repair = static_cast<Repair>(table.choice("repair", repairNames));
+    if (table.has("first")) method.lowestFirst = table.choice("first", {"lowest", "highest"}) == 0;
+    options.choice = methodChoice(context);
     options.speed = table.numberOr("speed_mps", options.speed, {0.01, speeds.most});
     options.rotation = angleOr(table, "rotation_degps", options.rotation, {1, rotations.most});
     options.tolerance = table.numberOr("tolerance_m", options.tolerance, {0.001, 10});

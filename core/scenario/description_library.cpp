@@ -120,9 +120,7 @@ std::shared_ptr<const LearnedSensor> DescriptionLibrary::sensor(TomlTable& table
 }
 
 std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& table, std::string_view key,
-                                                                  const std::string& from,
-                                                                  std::initializer_list<const char*> inputs,
-                                                                  std::initializer_list<const char*> outputs) {
+                                                                  const std::string& from) {
     const Value::File file = this->file(table, key, from, "nets", Holds::text);
     if (!file) return nullptr;
     std::shared_ptr<const LearnedMapping>& mapping = mappings_[file];
@@ -131,9 +129,18 @@ std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& tab
         if (!parsed) return table.adopt(parsed.error()), nullptr;
         mapping = std::make_shared<const NetworkMapping>(std::move(*parsed));
     }
-    const std::string cause = mismatch(*mapping, inputs, outputs);
-    if (!cause.empty()) return table.reject(key, shown(file->name) + ' ' + cause), nullptr;
     return mapping;
+}
+
+std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& table, std::string_view key,
+                                                                  const std::string& from,
+                                                                  std::initializer_list<const char*> inputs,
+                                                                  std::initializer_list<const char*> outputs) {
+    const std::shared_ptr<const LearnedMapping> found = mapping(table, key, from);
+    if (!found) return nullptr;
+    const std::string cause = mismatch(*found, inputs, outputs);
+    if (!cause.empty()) return table.reject(key, shown(table.value(key)->asFile()->name) + ' ' + cause), nullptr;
+    return found;
 }
 
 const Value* DescriptionLibrary::sensorPreset(TomlTable& table, std::string_view key, const std::string& from) {

@@ -42,7 +42,9 @@ public:
     /// One of these networks made ready for use, once for each dead time: that of the network, so much later.
     std::shared_ptr<const LearnedMotion> motion(const MotionNetwork& network, Nanoseconds laterV, Nanoseconds laterW);
     std::shared_ptr<const LearnedSensor> sensor(TomlTable& table, std::string_view key, const std::string& from);
-    /// The network of a task that a controller calls, which must read and give what is named here, in this order.
+    /// The network of a task that a controller calls.
+    std::shared_ptr<const LearnedMapping> mapping(TomlTable& table, std::string_view key, const std::string& from);
+    /// The same, which must read and give what is named here, in this order.
     std::shared_ptr<const LearnedMapping> mapping(TomlTable& table, std::string_view key, const std::string& from,
                                                   std::initializer_list<const char*> inputs,
                                                   std::initializer_list<const char*> outputs);

@@ -15,6 +15,7 @@
 #include "learning/parallel_for.h"
 #include "learning/squared_error.h"
 #include "learning/trainer.h"
+#include "tasks/output_contrasts.h"
 
 namespace mrose {
 namespace {
@@ -157,9 +158,18 @@ private:
         // Of few rows all count for the matrix.
         if (data_.rows() <= someRows) options.levenbergMarquardt.matrixEvery = 1;
         network_.learned.training.method = nameOf(options.method);
+        std::optional<OutputContrasts> contrasts;
+        if (!data_.variants.empty()) contrasts.emplace(all().targets, network_.learned.outputs);
+        const auto patterns = [&](int which, bool held) {
+            Rows rows = part(which, held);
+            if (contrasts) rows.targets = contrasts->of(rows.targets);
+            if (contrasts) rows.outputs = contrasts->count();
+            return rows.patterns();
+        };
         for (int member = 0; member < how_.members; ++member) {
-            const PatternSet learned = part(member, false).patterns(), held = part(member, true).patterns();
-            const MlpShape shape{static_cast<int>(data_.inputs.size()), how_.hidden, static_cast<int>(data_.outputs())};
+            const PatternSet learned = patterns(member, false), held = patterns(member, true);
+            const MlpShape shape{static_cast<int>(data_.inputs.size()), how_.hidden,
+                                 static_cast<int>(contrasts ? contrasts->count() : data_.outputs())};
             SquaredError objective(shape, learned, held);
             Mlp network = randomMlp(shape, {.seed = 64 * how_.seed + static_cast<std::uint64_t>(member)});
             TrainingResult result = train(objective, network.parameters, options, [&](const TrainingProgress& at) {
@@ -168,7 +178,7 @@ private:
             if (result.end == TrainingEnd::stopped) return std::nullopt;
             if (!result.parameters.empty()) network.parameters = std::move(result.parameters);
             network_.learned.training.epochs += result.epochs;
-            members.push_back(std::move(network));
+            members.push_back(contrasts ? contrasts->undone(network) : std::move(network));
         }
         network_.learned.members = membersOf(members);
         return mergedMean(members);

@@ -21,8 +21,7 @@ const Environment& navigatorsField() {
 
 Navigate::Options navigating(const Pose& target, Planner planner, Repair repair) {
     return {.target = target,
-            .planner = planner,
-            .repair = repair,
+            .method = {planner, repair},
             .radius = 0.31,
             .objectRadius = 0.22,
             .walls = floorPlanOf(navigatorsField())};

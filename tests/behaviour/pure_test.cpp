@@ -67,7 +67,10 @@ std::vector<std::shared_ptr<const Controller>> builtIn() {
         std::make_shared<const ChaseBall>(
             ChaseBall::Options{.target = {6, 2}, .stroke = WallStroke::Options{}, .walls = walls}),
         std::make_shared<const FreeBall>(FreeBall::Options{.walls = walls}),
-        std::make_shared<const Navigate>(Navigate::Options{.target = {1, 2.5, 1}, .repair = Repair::temporaryTarget}),
+        std::make_shared<const Navigate>(Navigate::Options{
+            .target = {1, 2.5, 1},
+            .method = {.repair = Repair::temporaryTarget},
+            .choice = {.methods = {TeamMethod{}, TeamMethod{.lowestFirst = false}}, .time = nullptr, .inputs = {}}}),
         std::make_shared<const DynamicWindow>(DynamicWindow::Options{
             .waypoints = {{1, 3}, {5, 1}}, .loop = true, .sensors = obstacleSensors(sensingRobot())})};
 }

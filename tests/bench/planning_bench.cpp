@@ -47,16 +47,12 @@ void planners(const DiscSpace& space) {
     double sum = 0;
     for (std::size_t i = 0; i < plannerNames.size(); ++i)
         std::printf("  %-34s %7.1f\n", std::string(plannerNames[i]).c_str(), microseconds([&] {
-                        for (const Way& way : ways)
-                            sum += plannedPath(static_cast<Planner>(i), space, way.start, way.goal).length;
+                        const PathFinder finder(static_cast<Planner>(i), space);
+                        for (const Way& way : ways) sum += lengthOf(finder.path(way.start, way.goal));
                     }));
-    std::printf("  %-34s %7.1f\n", "voronoi, one roadmap for all", microseconds([&] {
-                    const VoronoiRoadmap roadmap(space);
-                    for (const Way& way : ways) sum += roadmap.path(way.start, way.goal).length;
-                }));
     const VoronoiRoadmap roadmap(space);
     std::printf("  %-34s %7.1f\n", "voronoi, its roadmap there", microseconds([&] {
-                    for (const Way& way : ways) sum += roadmap.path(way.start, way.goal).length;
+                    for (const Way& way : ways) sum += lengthOf(roadmap.path(way.start, way.goal));
                 }));
     if (sum < 0) std::printf("%g\n", sum);
 }
@@ -67,11 +63,12 @@ void repairs(const DiscSpace& space) {
         int clear = 0;
         const double cost = microseconds([&] {
             std::vector<TimedPath> others;
+            const PathFinder finder(Planner::visibilityGraph, space);
             clear = 0;
             for (const Way& way : ways) {
                 const DriveTimes drive{.heading = 0, .speed = 0.4, .rotation = 1};
-                const Plan plan = repairedPlan({Planner::visibilityGraph, static_cast<Repair>(repair), space, way.start,
-                                                way.goal, drive, others, separation});
+                const Plan plan =
+                    repairedPlan({finder, static_cast<Repair>(repair), way.start, way.goal, drive, others, separation});
                 others.push_back(plan.timed(drive));
                 clear += plan.clear ? 1 : 0;
             }

@@ -56,6 +56,18 @@ TEST(Value, ChangeLeavesTheOriginalAndAllElse) {
     EXPECT_EQ(value.with("robot[", 1).error().message(), "robot[: is no path; expected one such as robot[2].network");
 }
 
+TEST(Value, StarIsAllElements) {
+    const Value value = game();
+    EXPECT_EQ(value.at("robot[*].name"), value.at("robot[1].name"));
+    const auto changed = value.with("robot[*].type.mass_kg", 12.5);
+    ASSERT_TRUE(changed);
+    EXPECT_EQ(*changed, *value.with("robot[1].type.mass_kg", 12.5)->with("robot[2].type.mass_kg", 12.5));
+    EXPECT_TRUE(value.without("robot[*]").at("robot")->asArray()->empty());
+    EXPECT_EQ(value.without("robot[*]").with("robot[*].type.mass_kg", 1).error().message(),
+              "robot[*].type.mass_kg: names nothing that there is; expected a path such as robot[2].network");
+    EXPECT_FALSE(value.with("seed[*]", 1));
+}
+
 TEST(Value, EqualityIsOfContentToTheLastBit) {
     EXPECT_EQ(game(), game());
     EXPECT_NE(Value(0.0), Value(-0.0));

@@ -24,7 +24,7 @@ TEST(Planners, PathsAreFreeWholeAndNoShorterThanTheShortest) {
         const Path shortest = shortestPath(space, start, goal);
         if (shortest.found()) ++ways;
         for (const Planner planner : planners) {
-            const Path path = plannedPath(planner, space, start, goal);
+            const Path path = PathFinder(planner, space).path(start, goal);
             if (!path.found()) {
                 EXPECT_TRUE(path.parts.empty());
                 continue;
@@ -33,8 +33,8 @@ TEST(Planners, PathsAreFreeWholeAndNoShorterThanTheShortest) {
             ASSERT_TRUE(shortest.found()) << world;
             EXPECT_EQ(path.parts.front().from, start);
             EXPECT_EQ(path.parts.back().to, goal);
-            EXPECT_GE(path.length, shortest.length - 1e-6) << world;
-            EXPECT_GE(path.leastDistance, 0.25 - 2e-4) << world;
+            EXPECT_GE(lengthOf(path), lengthOf(shortest) - 1e-6) << world;
+            EXPECT_GE(leastDistanceOf(path, space), 0.25 - 2e-4) << world;
             double length = 0;
             for (std::size_t i = 0; i < path.parts.size(); ++i) {
                 length += path.parts[i].length();
@@ -42,7 +42,7 @@ TEST(Planners, PathsAreFreeWholeAndNoShorterThanTheShortest) {
                     EXPECT_EQ(path.parts[i - 1].to, path.parts[i].from);
                 }
             }
-            EXPECT_DOUBLE_EQ(path.length, length);
+            EXPECT_DOUBLE_EQ(lengthOf(path), length);
             const std::vector<Point> points = pointsOf(path);
             EXPECT_EQ(points.front(), start);
             EXPECT_EQ(points.back(), goal);
@@ -59,9 +59,10 @@ TEST(Planners, TheSameBitsEveryTime) {
         const DiscSpace space = drawnRoom(33, world), again = drawnRoom(33, world);
         const Point start = drawnPlace(space, 34, world, 0), goal = drawnPlace(space, 34, world, 1000);
         for (const Planner planner : planners) {
-            const Path one = plannedPath(planner, space, start, goal), two = plannedPath(planner, again, start, goal);
+            const Path one = PathFinder(planner, space).path(start, goal),
+                       two = PathFinder(planner, again).path(start, goal);
             ASSERT_EQ(one.parts.size(), two.parts.size());
-            EXPECT_EQ(std::bit_cast<std::uint64_t>(one.length), std::bit_cast<std::uint64_t>(two.length));
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(lengthOf(one)), std::bit_cast<std::uint64_t>(lengthOf(two)));
         }
     }
 }
@@ -71,9 +72,9 @@ TEST(Planners, NoWayAndBlockedEndsAreSaid) {
     pieces.push_back(boxPiece({3, 2, 0}, 0.4, 4));
     const DiscSpace barred(pieces, 0.25), block({boxPiece({0, 0, 0}, 20, 20)}, 0.25);
     for (const Planner planner : planners) {
-        EXPECT_EQ(plannedPath(planner, barred, {1, 2}, {5, 2}).outcome, Path::Outcome::noWay);
-        EXPECT_EQ(plannedPath(planner, block, {1, 2}, {15, 2}).outcome, Path::Outcome::startBlocked);
-        EXPECT_EQ(plannedPath(planner, block, {15, 2}, {5, 2}).outcome, Path::Outcome::goalBlocked);
+        EXPECT_EQ(PathFinder(planner, barred).path({1, 2}, {5, 2}).outcome, Path::Outcome::noWay);
+        EXPECT_EQ(PathFinder(planner, block).path({1, 2}, {15, 2}).outcome, Path::Outcome::startBlocked);
+        EXPECT_EQ(PathFinder(planner, block).path({15, 2}, {5, 2}).outcome, Path::Outcome::goalBlocked);
     }
 }
 
@@ -82,7 +83,7 @@ TEST(Planners, EndsTooNearToAPieceLeaveItFirst) {
     pieces.push_back(boxPiece({3, 2, 0}, 1, 1));
     const DiscSpace space(pieces, 0.25);
     for (const Planner planner : planners) {
-        const Path path = plannedPath(planner, space, {2.4, 2}, {3.6, 2});
+        const Path path = PathFinder(planner, space).path({2.4, 2}, {3.6, 2});
         ASSERT_TRUE(path.found());
         EXPECT_NEAR(path.parts.front().to.x, 2.25, 1e-9);
         EXPECT_NEAR(path.parts.back().from.x, 3.75, 1e-9);
@@ -95,12 +96,13 @@ DiscSpace cup() {
 }
 
 TEST(PotentialField, SaysThatItCameIntoALocalMinimumAndFindsOut) {
-    const PotentialFieldPath path = potentialFieldPath(cup(), {1, 2.05}, {5, 2});
+    const DiscSpace space = cup();
+    const PotentialFieldPath path = potentialFieldPath(space, {1, 2.05}, {5, 2});
     EXPECT_GE(path.localMinima, 1u);
     EXPECT_NEAR(path.lastMinimum.x, 3.6, 0.35);
     ASSERT_TRUE(path.path.found());
-    EXPECT_GE(path.path.leastDistance, 0.2 - 1e-5);
-    const PotentialFieldPath straight = potentialFieldPath(cup(), {5, 1}, {5, 3});
+    EXPECT_GE(leastDistanceOf(path.path, space), 0.2 - 1e-5);
+    const PotentialFieldPath straight = potentialFieldPath(space, {5, 1}, {5, 3});
     EXPECT_EQ(straight.localMinima, 0u);
 }
 
@@ -109,7 +111,7 @@ TEST(PotentialField, BetweenEqualDiscsItGoesThroughTheMiddle) {
     const DiscSpace space({ConvexPiece::circle({2, 1}, 0.3), ConvexPiece::circle({2, -1}, 0.3)}, 0.25);
     const PotentialFieldPath path = potentialFieldPath(space, {0, 0}, {4, 0});
     ASSERT_TRUE(path.path.found());
-    EXPECT_NEAR(path.path.length, 4, 1e-9);
+    EXPECT_NEAR(lengthOf(path.path), 4, 1e-9);
     EXPECT_EQ(path.localMinima, 0u);
 }
 
@@ -117,8 +119,8 @@ TEST(PotentialField, KeepsOffWhatItPasses) {
     const DiscSpace space({ConvexPiece::circle({2, -0.4}, 0.3)}, 0.25);
     const Path path = potentialFieldPath(space, {0, 0}, {4, 0}).path;
     ASSERT_TRUE(path.found());
-    EXPECT_GT(path.leastDistance, 0.3);
-    EXPECT_LT(path.length, 4.3);
+    EXPECT_GT(leastDistanceOf(path, space), 0.3);
+    EXPECT_LT(lengthOf(path), 4.3);
 }
 
 TEST(ViaPoints, OneBesideTheMiddleOfASmallPiece) {

@@ -9,10 +9,10 @@
 namespace mrose {
 namespace {
 
-const DiscSpace openRoom(room(6, 4), 0.25);
+const PathFinder openRoom(Planner::visibilityGraph, DiscSpace(room(6, 4), 0.25));
 
 PlanRequest crossing(Repair repair, std::span<const TimedPath> others) {
-    return {Planner::visibilityGraph, repair, openRoom, {1, 2}, {5, 2}, {.heading = 0, .speed = 0.4}, others, 0.6};
+    return {openRoom, repair, {1, 2}, {5, 2}, {.heading = 0, .speed = 0.4}, others, 0.6};
 }
 
 /// Comes from above and goes to below just when the other one is in the middle.
@@ -31,20 +31,15 @@ TEST(Repairs, ClearPlansDoNotConflict) {
     int cleared = 0, conflicting = 0;
     for (std::int64_t trial = 0; trial < 60; ++trial) {
         const DiscSpace space = drawnRoom(51, trial);
+        const PathFinder finder(Planner::visibilityGraph, space);
         std::vector<TimedPath> others;
         for (std::uint32_t i = 0; i < 3; ++i)
             others.push_back(timedPath({drawnPlace(space, 52, trial, 100 * i), drawnPlace(space, 53, trial, 100 * i)},
                                        {.heading = 0, .speed = 0.4}));
         const Point start = drawnPlace(space, 54, trial, 0), goal = drawnPlace(space, 55, trial, 0);
         for (std::size_t repair = 0; repair < repairNames.size(); ++repair) {
-            const PlanRequest request{Planner::visibilityGraph,
-                                      static_cast<Repair>(repair),
-                                      space,
-                                      start,
-                                      goal,
-                                      {.heading = 0, .speed = 0.4},
-                                      others,
-                                      0.55};
+            const PlanRequest request{
+                finder, static_cast<Repair>(repair), start, goal, {.heading = 0, .speed = 0.4}, others, 0.55};
             const Plan plan = repairedPlan(request);
             if (!plan.found()) continue;
             EXPECT_EQ(plan.points.front(), start);

@@ -50,6 +50,14 @@ TEST(TimedPath, WhoStandsInTheWayConflictsForEverAndWhoPartsDoesNot) {
     EXPECT_FALSE(firstConflict(standing, standing, 0.5));
 }
 
+TEST(TimedPath, LeastDistanceOfACrossingIsThatOfTheClosedForm) {
+    const TimedPath one{{{{-2, 0}, 0}, {{2, 0}, 4}}}, later{{{{0, -2}, 1}, {{0, 2}, 5}}};
+    EXPECT_NEAR(leastDistance(one, later), 1 / std::numbers::sqrt2, 1e-12);
+    const TimedPath standing{{{{3, 0.5}, 0}}};
+    EXPECT_NEAR(leastDistance(one, standing), std::hypot(1, 0.5), 1e-12) << "at the end of its way";
+    EXPECT_EQ(leastDistance(standing, standing), 0);
+}
+
 TEST(TimedPath, ConflictsAreThoseOfSampledMotion) {
     int conflicts = 0;
     for (std::int64_t trial = 0; trial < 300; ++trial) {
@@ -62,12 +70,14 @@ TEST(TimedPath, ConflictsAreThoseOfSampledMotion) {
                              {1.0, drawnNumber(41, trial, part + 21, 0, 3)});
         };
         const TimedPath one = drawn(0), two = drawn(100);
-        double sampled = -1, last = 0;
-        for (double t = 0; t < 45 && sampled < 0; t += 0.005) {
+        double sampled = -1, last = 0, least = distance(one.at(0), two.at(0));
+        for (double t = 0; t < 60; t += 0.005) {
             const double far = distance(one.at(t), two.at(t));
-            if (far < 0.6 && far < last) sampled = t;
+            if (sampled < 0 && far < 0.6 && far < last) sampled = t;
             last = far;
+            least = std::min(least, far);
         }
+        EXPECT_NEAR(leastDistance(one, two), least, 0.004) << trial;
         const auto conflict = firstConflict(one, two, 0.6);
         if (conflict) {
             ++conflicts;

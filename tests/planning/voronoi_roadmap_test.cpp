@@ -59,7 +59,7 @@ TEST(VoronoiRoadmap, InACorridorItKeepsToTheMiddle) {
             }
         EXPECT_TRUE(crossed) << x;
     }
-    EXPECT_NEAR(path.leastDistance, 0.3, 0.1);
+    EXPECT_NEAR(leastDistanceOf(path, space), 0.3, 0.1);
 }
 
 TEST(VoronoiRoadmap, FindsAWayWhereThereIsOneWithMoreRoom) {
@@ -68,13 +68,13 @@ TEST(VoronoiRoadmap, FindsAWayWhereThereIsOneWithMoreRoom) {
     for (std::int64_t world = 0; world < 80; ++world) {
         const DiscSpace space = drawnRoom(22, world);
         const Point start = drawnPlace(space, 23, world, 0), goal = drawnPlace(space, 23, world, 1000);
-        const Path path = greatestClearancePath(space, start, goal), other = shortestPath(space, start, goal);
+        const Path path = VoronoiRoadmap(space).path(start, goal), other = shortestPath(space, start, goal);
         EXPECT_TRUE(other.found() || !path.found()) << world;
         if (other.found() && !path.found()) ++missed;
         if (!path.found() || !other.found()) continue;
         ++both;
-        EXPECT_GE(path.length, other.length - 1e-6) << world;
-        EXPECT_GE(path.leastDistance, 0.25 - 1e-5) << world;
+        EXPECT_GE(lengthOf(path), lengthOf(other) - 1e-6) << world;
+        EXPECT_GE(leastDistanceOf(path, space), 0.25 - 1e-5) << world;
         // Start and goal themselves are as near to pieces as they are: count what lies between.
         double least = farthestDistance, others = farthestDistance;
         for (std::size_t i = 1; i + 1 < path.parts.size(); ++i)
@@ -98,9 +98,9 @@ TEST(VoronoiRoadmap, AlsoWherePiecesTouchOverlapOrAreTheSame) {
     pieces.push_back(boxPiece({4.5, 2, 0}, 1, 0.3));
     pieces.push_back(ConvexPiece::circle({4.5, 2}, 0.3));
     const DiscSpace space(pieces, 0.2);
-    const Path path = greatestClearancePath(space, {3, 0.6}, {3, 3.4});
+    const Path path = VoronoiRoadmap(space).path({3, 0.6}, {3, 3.4});
     ASSERT_TRUE(path.found());
-    EXPECT_GE(path.leastDistance, 0.2 - 1e-5);
+    EXPECT_GE(leastDistanceOf(path, space), 0.2 - 1e-5);
 }
 
 }  // namespace
