@@ -28,6 +28,11 @@ double DiscSpace::distance(const Point& a, const Point& b, double most) const {
 }
 
 bool DiscSpace::bars(const ConvexPiece& piece, const Point& a, const Point& b) const {
+    // On the far side of one of its edges' lines is the usual case.
+    for (std::size_t i = 0; i < piece.count && !piece.isCircle(); ++i)
+        if (const Point& corner = piece.corners[i], &out = piece.normals[i];
+            std::min(dot(a - corner, out), dot(b - corner, out)) - piece.radius >= radius_)
+            return false;
     return distanceToSegment(piece.centre, a, b) < piece.reach + radius_ - slack &&
            distanceToWay(piece, a, b) < radius_ - slack;
 }

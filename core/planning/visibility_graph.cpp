@@ -147,7 +147,9 @@ void TangentSearch::add(RoundCorner corner) {
     const auto pieces = space_.pieces();
     const double reach = corner.radius + space_.radius();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (i == corner.piece || distance(corner.centre, pieces[i].centre) >= pieces[i].reach + reach) continue;
+        const Point line = pieces[i].centre - corner.centre;
+        const double within = pieces[i].reach + reach;
+        if (i == corner.piece || dot(line, line) >= within * within) continue;
         const double far = nearestPoint(pieces[i], corner.centre).distance;
         if (far < -DiscSpace::slack && !corner.full) return;
         if (far < reach) corner.near.push_back(i);
