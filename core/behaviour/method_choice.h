@@ -57,6 +57,8 @@ struct MethodChoice {
 
     /// Whether it has listened for long enough, since it first asked.
     bool hasListened(Nanoseconds now, const Options& options);
+    /// Whether there is nothing left to consider.
+    bool isMade(const Options& options) const { return considered != 0 && (chosen != 0 || !options.time); }
     /// Plans by each method, and chooses the one of the least expected time.
     void consider(const Problem& problem, const Options& options);
     void explain(const Options& options, std::vector<MemoryEntry>& entries) const;

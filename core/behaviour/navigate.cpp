@@ -186,7 +186,7 @@ void Navigate::chooseMethod(const Observation& observation, Memory& memory) cons
             if (mate.path.method != 0) memory.choice.chosen = mate.path.method;
             return;
         }
-    if (!memory.choice.hasListened(observation.time, options) || memory.choice.considered != 0) return;
+    if (!memory.choice.hasListened(observation.time, options) || memory.choice.isMade(options)) return;
     std::vector<TeamMember> team{{memory.self.pose, options_.target}};
     std::vector<ConvexPiece> pieces = options_.walls->pieces();
     double objects = 0;

@@ -129,6 +129,7 @@ void TeamPlayer::bid(const Observation& observation, std::size_t place, Memory& 
                                 .bodies = bodies});
     }
     memory.cost = costOf(memory);
+    const bool went = memory.role == TeamWord::goes;
     const auto note = [&] {
         const bool goes = memory.role == TeamWord::goes;
         if (!options_.keeper)
@@ -138,8 +139,7 @@ void TeamPlayer::bid(const Observation& observation, std::size_t place, Memory& 
     if (options_.choose == Choose::fixed)
         memory.choice.goer = options_.goes;
     else
-        memory.choice.choose(observation.time, options_.role);
-    const bool went = memory.role == TeamWord::goes;
+        memory.choice.choose(observation.time - (went ? options_.handOver : 0), options_.role);
     const bool chosen = memory.choice.goer == static_cast<std::int64_t>(place) + 1;
     memory.role = options_.keeper ? TeamWord::keeps : chosen ? TeamWord::goes : TeamWord::supports;
     note();  // as it tells the others

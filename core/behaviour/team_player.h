@@ -37,6 +37,8 @@ public:
         std::shared_ptr<const LearnedMapping> time = nullptr;  ///< of Choose::time: wayToBallNames to time_s
         std::int64_t goes = 0;                                 ///< of Choose::fixed: 1 more than the place in the team
         RoleChoice::Options role;
+        /// So much later who goes stops: players decide at instants of their own, and rather two go than nobody.
+        Nanoseconds handOver = 30'000'000;
     };
 
     explicit TeamPlayer(Options options) : options_(std::move(options)), chase_(options_.chase) {}

@@ -252,6 +252,7 @@ ControllerSetting teamPlayer(const Context& context) {
     options.role.hysteresis = options.choose == TeamPlayer::Choose::nearest ? metres : seconds;
     const Nanoseconds agree = durationOr(table, "agree_s", options.role.agree * RoleChoice::slotLength, {0, 0.5});
     options.role.agree = (agree + RoleChoice::slotLength - 1) / RoleChoice::slotLength;
+    options.handOver = durationOr(table, "hand_over_s", options.handOver, {0, 0.1});
     return {std::make_shared<TeamPlayer>(std::move(options))};
 }
 
@@ -316,9 +317,12 @@ MethodChoice::Options methodChoice(const Context& context) {
         for (std::size_t k = 0; k < options.time->outputs(); ++k) names.emplace_back(options.time->output(k).name);
     }
     const std::string key = options.time ? "choose" : "methods";
-    if (options.time && table.has("methods"))
-        table.reject("methods", "are what `choose` maps to; expected one of both");
-    if (!options.time && table.has("methods")) names = table.strings("methods");
+    if (table.has("methods")) {
+        const std::vector<std::string> given = table.strings("methods");
+        if (options.time && given != names)
+            return table.reject("methods", "are others than those that `choose` maps to"), MethodChoice::Options{};
+        names = given;
+    }
     if (names.size() > MethodChoice::most) table.reject(key, "names too many methods; " + std::string(methodsExpected));
     for (const std::string& name : names) {
         const std::optional<TeamMethod> method = teamMethod(name);

@@ -79,6 +79,7 @@ private:
         trials_ = root_.integer("trials", 1, mostTrials);
         firstTrial_ = root_.integerOr("first_trial", 1, 1, mostTrials);
         seeds_ = root_.integerOr("seeds", base_.seeds, 1, mostSeeds);
+        fromStart_ = root_.booleanOr("from_start", false);
     }
 
     void readMeasures() {
@@ -248,6 +249,8 @@ private:
             }
         Value::Table content = *experimentFile_->content.asTable();
         content["variant"] = Value(std::move(variants));
+        if (fromStart_)
+            for (const char* const key : {"branch", "branch_within_s"}) content.erase(key);
         content["trials"] = trials_;
         content["first_trial"] = firstTrial_;
         content["seeds"] = seeds_;
@@ -272,6 +275,7 @@ private:
     Value::File experimentFile_;
     Experiment base_;
     Value::Table common_;  ///< what the experiment's variant sets
+    bool fromStart_ = false;
     std::int64_t trials_ = 0, firstTrial_ = 1, seeds_ = 1;
 };
 

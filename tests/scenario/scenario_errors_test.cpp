@@ -141,6 +141,12 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
          "\"temporary_target\", \"imagined_obstacle\", \"replan\""},
         {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, spare_m = 0 }",
          "s.toml:22:76: robot[\"two\"].controller.spare_m: is 0.0; expected 0.01 to 5.0"},
+        {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, methods = [\"astar+wait+lowest\"] }",
+         "s.toml:22:76: robot[\"two\"].controller.methods: names \"astar+wait+lowest\"; expected PLANNER+REPAIR+FIRST, "
+         "as \"visibility_graph+wait+lowest\", up to 8 of them"},
+        {"{ kind = \"navigate\", target = { x_m = 1, y_m = 1 }, choose = \"none.net\" }",
+         "s.toml:22:75: robot[\"two\"].controller.choose: \"none.net\" was not found; expected none.net or "
+         "mrose:nets/none.net"},
         {"{ kind = \"chase_ball\", target_m = [1, 0], strokes = true }",
          "s.toml:22:66: robot[\"two\"].controller.strokes: the robot has no ball guide; expected horns that reach 3 cm "
          "farther than its front"},

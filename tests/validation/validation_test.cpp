@@ -124,6 +124,20 @@ protected:
     ResultsTable results_;
 };
 
+/// From the start on it is 4 s of driving; a branch after 1 s would leave 3 s of it.
+TEST_F(ValidationTest, ExperimentThatBranchesMayBeRunFromTheStart) {
+    texts_["x.toml"] =
+        replaced(laneExperiment, "trials = 3\n", "trials = 3\nbranch = 'time > 0.995'\nduration_s = 3.0\n");
+    const auto branching = read(text_);
+    ASSERT_TRUE(branching) << branching.error().message();
+    const auto whole = read(replaced(laneValidation, "first_trial = 101", "first_trial = 101\nfrom_start = true"));
+    ASSERT_TRUE(whole) << whole.error().message();
+    const auto before = [](const ValidationResult& result) { return result.measures.at(0).cells[0].value; };
+    // Until it branches it drives as the scenario says, 0.4 m/s.
+    EXPECT_NEAR(before(validated(*branching)), 0.4 * 1 + 0.2 * 3, 0.03);
+    EXPECT_NEAR(before(validated(*whole, "whole")), 0.2 * 3, 1e-9);
+}
+
 /// Without noise a robot that is told v drives v t, and in the reality four fifths of that.
 TEST_F(ValidationTest, GainsAreWhatTheyAreInClosedForm) {
     const auto validation = read(text_);
