@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 
 #include "experiment/batch.h"
@@ -21,12 +22,14 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
     for (const VariantSummary& variant : summary.variants) {
         if (variant.runs == 0) continue;
         if (!variant.name.empty()) std::printf("%s\n", variant.name.c_str());
-        TextTable table({"", "mean", "deviation", "least", "most", "of", "95 % of a share"});
+        TextTable table({"", "mean", "deviation", "least", "most", "of", "95 % of the mean"});
         for (const MeasureSummary& measure : variant.measures) {
             const auto cell = [&](double value) { return measure.count > 0 ? numberOf(value) : "-"; };
-            const std::string range = '(' + numberOf(measure.low) + " to " + numberOf(measure.high) + ')';
+            const Estimate& of = measure.estimate;
+            const bool known = std::isfinite(of.low);
+            const std::string range = known ? '(' + numberOf(of.low) + " to " + numberOf(of.high) + ')' : "";
             table.add({measure.name, cell(measure.mean), cell(measure.deviation), cell(measure.least),
-                       cell(measure.most), std::to_string(measure.count), measure.share ? range : ""});
+                       cell(measure.most), std::to_string(measure.count), range});
         }
         if (!variant.measures.empty()) std::fputs(table.text().c_str(), stdout);
         std::printf("%lld runs, %lld ended by `until`", static_cast<long long>(variant.runs),
@@ -76,7 +79,10 @@ Subcommand addExperiment(CLI::App& app, CommonFlags& common) {
     addChangeFlags(*sub, request->settings, request->overrides);
     addPluginFlags(*sub, request->plugins);
     sub->add_option("-o,--output", request->folder, "The folder for results.csv")->required()->check(someName());
-    return {sub, [request, &common] { return runIt(*request, common); }};
+    return {sub, [request, &common] {
+                request->command = commandLine();
+                return runIt(*request, common);
+            }};
 }
 
 }  // namespace mrose::cli

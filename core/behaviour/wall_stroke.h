@@ -24,16 +24,16 @@ struct WallStroke {
         double within = 0.1;       ///< m, between wall and ball: it lies there
         // Where it stops: seen along the wall, with the ball ahead.
         double standOff = 0.335;      ///< m, from the wall to the reference point
-        double stopDistance = 0.285;  ///< m, from there along the wall to the ball's centre
-        double approach = 0.934;      ///< rad, how far it heads into the wall
-        double tolerance = 0.075;     ///< m, beside that place
+        double stopDistance = 0.388;  ///< m, from there along the wall to the ball's centre
+        double approach = 0.876;      ///< rad, how far it heads into the wall
+        double tolerance = 0.1;       ///< m, beside that place
         // The stroke.
-        double lead = 0.385;            ///< s, forward before it turns ...
-        double leadSpeed = 0.397;       ///< m/s, so fast
-        double turnSpeed = 0.2;         ///< m/s, forward while it turns
+        double lead = 0.541;            ///< s, forward before it turns ...
+        double leadSpeed = 0.194;       ///< m/s, so fast
+        double turnSpeed = 0.237;       ///< m/s, forward while it turns
         double strokeRotation = 1.745;  ///< rad/s
-        double turn = 0.88;             ///< rad, how far
-        double follow = 0.85;           ///< s, forward afterwards, at `speed`
+        double turn = 2.822;            ///< rad, how far
+        double follow = 0.774;          ///< s, forward afterwards, at `speed`
     };
     /// What it goes by: poses and places in the world's frame, when the command takes effect.
     struct Situation {

@@ -33,16 +33,24 @@ Point SvgPlot::pixel(const Point& at) const {
 }
 
 void SvgPlot::axes(std::string_view xTitle, std::string_view yTitle) {
+    levelAxis(xTitle);
+    uprightAxis(yTitle);
+}
+
+void SvgPlot::levelAxis(std::string_view title) {
     const AxisTicks xTicks = axisTicks(x_, static_cast<int>(innerWidth() / 70));
     for (const double value : xTicks.values) {
         const Point foot = pixel({value, y_.low});
         grid_.moveTo(foot).lineTo(pixel({value, y_.high}));
         around_ += svgText(foot + Point{0, 17}, fixed(value, xTicks.decimals), classed("tick middle"));
     }
-    uprightAxis(yTitle);
     const Point foot = pixel({x_.low, y_.low});
-    if (!xTitle.empty())
-        around_ += svgText({foot.x + innerWidth() / 2, layout_.height - 8}, xTitle, classed("title middle"));
+    if (!title.empty())
+        around_ += svgText({foot.x + innerWidth() / 2, layout_.height - 8}, title, classed("title middle"));
+}
+
+void SvgPlot::rowName(double y, std::string_view name) {
+    around_ += svgText(pixel({x_.low, y}) + Point{-10, 4}, name, classed("tick end"));
 }
 
 void SvgPlot::uprightAxis(std::string_view title) {

@@ -27,8 +27,10 @@ public:
 
     /// Frame, grid lines, tick labels and axis titles with units (plain text).
     void axes(std::string_view xTitle, std::string_view yTitle);
-    void uprightAxis(std::string_view title);  ///< the frame with y's grid lines and labels alone: x is no number
-    void grid(double step);                    ///< lines at the multiples of `step`, no labels
+    void uprightAxis(std::string_view title);       ///< the frame with y's grid lines and labels alone: x is no number
+    void levelAxis(std::string_view title);         ///< x's grid lines and labels alone: y is no number
+    void rowName(double y, std::string_view name);  ///< left of the frame
+    void grid(double step);                         ///< lines at the multiples of `step`, no labels
 
     void line(std::span<const Point> points, std::string_view cssClass);
     void steps(std::span<const Point> points, std::string_view cssClass);  ///< a staircase: up at each point

@@ -8,7 +8,7 @@ namespace mrose {
 Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions& expressions, ScenarioParts before,
                                   const DrawnValues& drawn, const std::function<bool()>& goesOn) {
     auto scenario = std::make_shared<const Scenario>(std::move(before));
-    WorldState start = scenario->initialState(experiment.seed);
+    WorldState start = scenario->initialState();
     const std::vector<RobotInsight> none(start.robots.size());
     const auto compiled =
         expressions.of({.scenario = scenario.get(), .state = &start, .insights = none, .drawn = &drawn});

@@ -48,7 +48,7 @@ public:
 
 private:
     RunKey keyOf(std::uint32_t trial, std::size_t variant, std::uint32_t k) const {
-        return {trial, experiment_.seed + k, static_cast<std::uint32_t>(variant) + 1};
+        return {trial, experiment_.noiseSeed(trial, k), static_cast<std::uint32_t>(variant) + 1};
     }
     bool isMissing(std::uint32_t trial) const {
         for (std::size_t variant = 0; variant < experiment_.variants.size(); ++variant)
@@ -143,7 +143,8 @@ private:
 /// Whether a run is one of those that an experiment asks for.
 bool isAsked(const RunKey& key, const Experiment& experiment) {
     return key.trial >= experiment.firstTrial && key.trial - experiment.firstTrial < experiment.trials &&
-           key.seed >= experiment.seed && key.seed - experiment.seed < experiment.seeds && key.variant >= 1 &&
+           key.seed >= experiment.noiseSeed(key.trial, 0) &&
+           key.seed - experiment.noiseSeed(key.trial, 0) < experiment.seeds && key.variant >= 1 &&
            key.variant <= experiment.variants.size();
 }
 

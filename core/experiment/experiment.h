@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/estimates.h"
 #include "experiment/experiment_file.h"
 #include "experiment/results_file.h"
 #include "experiment/run.h"
@@ -32,8 +33,8 @@ struct MeasureSummary {
     std::string name;        ///< of its column: "measure.time_s"
     std::int64_t count = 0;  ///< of those that have a number
     double mean = 0, deviation = 0, least = 0, most = 0;
-    bool share = false;        ///< all are 0 or 1: the mean is a share
-    double low = 0, high = 0;  ///< then: its 95 % interval (Wilson 1927)
+    bool share = false;  ///< all are 0 or 1: the mean is a share
+    Estimate estimate;   ///< the mean over trials with its interval, of a share Wilson's
 };
 
 struct VariantSummary {

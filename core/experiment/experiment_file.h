@@ -81,8 +81,8 @@ struct Experiment {
     std::string file, name;
     ScenarioValue scenario;  ///< with all that it and the draws' choices name
     std::uint32_t firstTrial = 1, trials = 0;
-    std::uint64_t seed = 0;   ///< of the draws, and of the first run of each trial
-    std::uint32_t seeds = 1;  ///< runs of each trial, with one seed after the other
+    std::uint64_t seed = 0;   ///< of the draws, and of the first trial's first run
+    std::uint32_t seeds = 1;  ///< runs of each trial
     Nanoseconds every = 0;    ///< how often a trial is looked at; a tick where it is 0
     FileExpression require, until;
     /// Until it holds, a trial goes as the scenario is written; then each variant goes on from a copy of that state,
@@ -94,6 +94,11 @@ struct Experiment {
     std::vector<Value::File> settings;  ///< files that variants name
     std::vector<Feature> features;
     std::vector<Measure> measures;
+
+    /// Of a trial's run, from 0; each run has one of its own, the same for all variants.
+    std::uint64_t noiseSeed(std::uint32_t trial, std::uint32_t run) const {
+        return seed + (std::uint64_t{trial} - 1) * seeds + run;
+    }
 };
 
 /// What expressions of an experiment that branches have among what was drawn: when it did, s.

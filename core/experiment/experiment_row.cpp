@@ -38,14 +38,30 @@ void add(MeasureSummary& summary, double value) {
     summary.deviation += off * (value - summary.mean);  // a sum of squares, for now
 }
 
-/// The share that a mean of truths is of is likely within this (Wilson 1927).
-void setInterval(MeasureSummary& summary) {
-    constexpr double z = 1.959964;
-    if (!summary.share) return;
-    const double n = static_cast<double>(summary.count), p = summary.mean;
-    const double middle = p + z * z / (2 * n), wide = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
-    summary.low = p == 0 ? 0 : (middle - wide) / (1 + z * z / n);
-    summary.high = p == 1 ? 1 : (middle + wide) / (1 + z * z / n);
+/// What a measure came to in a variant's runs, trial by trial.
+struct TrialMeans {
+    std::vector<double> means;
+    double sum = 0;
+    std::int64_t count = 0;  ///< of the trial at hand
+
+    void add(double value) {
+        if (!std::isfinite(value)) return;
+        sum += value;
+        ++count;
+    }
+    void endTrial() {
+        if (count > 0) means.push_back(sum / static_cast<double>(count));
+        sum = 0;
+        count = 0;
+    }
+};
+
+Estimate estimateOf(const MeasureSummary& summary, const std::vector<double>& byTrial) {
+    const auto runs = static_cast<double>(summary.count);
+    if (summary.share) return wilsonShare(summary.mean, effectiveCount(byTrial, runs));
+    Estimate of = meanOf(byTrial);
+    of.value = summary.mean;
+    return of;
 }
 
 }  // namespace
@@ -92,7 +108,16 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
         for (const Feature& feature : experiment.features) summary.measures.push_back({"feature." + feature.name});
         for (const Measure& measure : experiment.measures) summary.measures.push_back({"measure." + measure.name});
     }
+    std::vector<std::vector<TrialMeans>> trials(summaries.size());
+    for (std::size_t v = 0; v < summaries.size(); ++v) trials[v].resize(summaries[v].measures.size());
+    const auto endTrial = [&] {
+        for (std::vector<TrialMeans>& ofVariant : trials)
+            for (TrialMeans& of : ofVariant) of.endTrial();
+    };
+    std::uint32_t trial = 0;
     for (const auto& [key, row] : rows) {
+        if (key.trial != trial) endTrial();
+        trial = key.trial;
         const std::vector<std::string> cells = resultsCells(row);
         VariantSummary& summary = summaries[key.variant - 1];
         const std::size_t first = firstDrawCell + experiment.draws.size();
@@ -105,13 +130,16 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
             const std::string& cell = cells[first + i];
             std::from_chars(cell.data(), cell.data() + cell.size(), value);
             add(summary.measures[i], value);
+            trials[key.variant - 1][i].add(value);
         }
     }
-    for (VariantSummary& summary : summaries)
-        for (MeasureSummary& measure : summary.measures) {
+    endTrial();
+    for (std::size_t v = 0; v < summaries.size(); ++v)
+        for (std::size_t i = 0; i < summaries[v].measures.size(); ++i) {
+            MeasureSummary& measure = summaries[v].measures[i];
             measure.deviation =
                 measure.count > 1 ? std::sqrt(measure.deviation / static_cast<double>(measure.count - 1)) : 0;
-            setInterval(measure);
+            if (measure.count > 0) measure.estimate = estimateOf(measure, trials[v][i].means);
         }
     return summaries;
 }

@@ -81,8 +81,10 @@ Expected<DrawnValues> TrialMaker::draw(std::uint32_t number, int attempt) {
     return drawn;
 }
 
-Expected<ScenarioValue> TrialMaker::drawnScenario(const DrawnValues& drawn) const {
-    ScenarioValue value = experiment_.scenario;
+Expected<ScenarioValue> TrialMaker::drawnScenario(std::uint32_t number, const DrawnValues& drawn) const {
+    auto seeded = experiment_.scenario.with("seed", static_cast<std::int64_t>(experiment_.noiseSeed(number, 0)));
+    if (!seeded) return seeded;
+    ScenarioValue value = std::move(*seeded);
     for (std::size_t i = 0; i < experiment_.draws.size(); ++i)
         for (const std::string& path : experiment_.draws[i].paths) {
             auto changed = value.with(path, drawn[i].value);
@@ -125,7 +127,7 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
     for (int attempt = 0; attempt < mostDraws; ++attempt) {
         auto drawn = draw(number, attempt);
         if (!drawn) return tl::unexpected(drawn.error());
-        const auto value = drawnScenario(*drawn);
+        const auto value = drawnScenario(number, *drawn);
         if (!value) return tl::unexpected(value.error());
         Trial trial{std::move(*drawn), {}};
         bool wanted = true;
@@ -199,7 +201,7 @@ Expected<void> TrialMaker::check() {
         sets = std::move(more);
     }
     for (const DrawnValues& drawn : sets) {
-        auto value = drawnScenario(drawn);
+        auto value = drawnScenario(experiment_.firstTrial, drawn);
         if (!value) return tl::unexpected(value.error());
         *value = withoutBodies(std::move(*value), drawn);
         auto loaded = loadScenario(*value, library_, loading_);

@@ -42,7 +42,7 @@ private:
     Expected<Value> valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,
                             const DrawnValues& drawn);
     /// With all bodies, also those that are to be left out.
-    Expected<ScenarioValue> drawnScenario(const DrawnValues& drawn) const;
+    Expected<ScenarioValue> drawnScenario(std::uint32_t number, const DrawnValues& drawn) const;
     ScenarioValue withoutBodies(ScenarioValue value, const DrawnValues& drawn) const;
     /// nullopt: bodies overlap.
     Expected<std::optional<LoadedScenario>> scenarioOf(const ScenarioValue& value);

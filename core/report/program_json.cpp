@@ -220,7 +220,8 @@ std::string experimentJson(const ExperimentSummary& summary, const std::string& 
                                              {"deviation", number(measure.deviation)},
                                              {"least", number(measure.least)},
                                              {"most", number(measure.most)}};
-            if (measure.share) one["measures"][measure.name]["interval_95"] = {measure.low, measure.high};
+            const Estimate& of = measure.estimate;
+            if (std::isfinite(of.low)) one["measures"][measure.name]["interval_95"] = {of.low, of.high};
         }
         json["variants"].push_back(std::move(one));
     }

@@ -7,6 +7,7 @@
 #include "drawing/svg_plot.h"
 #include "io/format.h"
 #include "report/legend.h"
+#include "report/mean_figure.h"
 
 namespace mrose {
 namespace {
@@ -94,28 +95,12 @@ std::string inputErrorLegend(const TaskJudgement& judgement) {
 
 std::string choiceFigure(const TaskJudgement& judgement) {
     const VariantChoice& choice = *judgement.predictors.front().choice;
-    struct Bar {
-        std::string name;
-        double mean;
-        const char* cssClass;
-    };
-    std::vector<Bar> bars;
-    for (const VariantChoice::Variant& variant : choice.variants) bars.push_back({variant.name, variant.mean, "k0"});
-    bars.push_back({"chosen as learned", choice.mean, "k1"});
-    if (choice.oracle) bars.push_back({"best of each trial", choice.oracle->mean, "k2"});
-    double most = 0;
-    for (const Bar& bar : bars) most = std::max(most, bar.mean);
-    const double width = std::max(540.0, 96.0 * static_cast<double>(bars.size()) + 70);
-    SvgPlot plot({.width = width, .height = 300, .bottom = 40}, {0, static_cast<double>(bars.size())},
-                 {std::min(0.0, -0.15 * most), 1.15 * most}, "Means by variant and by choice");
-    plot.grid(roundStep(most / 5));
-    for (std::size_t i = 0; i < bars.size(); ++i) {
-        const double x = static_cast<double>(i);
-        plot.bar(x + 0.15, 0.7, bars[i].mean, bars[i].cssClass, cat(bars[i].name, ": ", fixed(bars[i].mean, 3)));
-        plot.label({x + 0.5, bars[i].mean}, 0, -7, fixed(bars[i].mean, 2), "title middle");
-        plot.label({x + 0.5, 0}, 0, 17, bars[i].name, "tick middle");
-    }
-    return plot.text();
+    const auto alone = [](double mean) { return Estimate{mean, mean, mean}; };
+    std::vector<NamedMean> rows;
+    for (const VariantChoice::Variant& variant : choice.variants) rows.push_back({variant.name, alone(variant.mean)});
+    rows.push_back({"chosen as learned", alone(choice.mean), "realmark"});
+    if (choice.oracle) rows.push_back({"best of each trial", alone(choice.oracle->mean)});
+    return meanFigure(rows, "mean " + judgement.heldOut.target);
 }
 
 }  // namespace mrose

@@ -36,17 +36,18 @@ Expected<std::size_t> columnOf(const ResultsTable& table, std::string_view kind,
                 0, flag);
 }
 
-/// Which variant and which seed each row is of.
+/// Which variant and which run of its trial each row is of.
 struct RunsTable {
     std::vector<std::string> variants;
-    std::vector<std::string> seeds;
+    std::size_t seeds = 0;                       ///< runs of a trial
     std::vector<std::size_t> variantOf, seedOf;  ///< [row]
 };
 RunsTable runsOf(const ResultsTable& table) {
     RunsTable runs;
     const std::size_t number = table.columnOf("variant"), called = table.columnOf("variant_name");
-    const std::size_t seed = table.columnOf("seed");
+    const std::size_t seed = table.columnOf("seed"), trial = table.columnOf("trial");
     std::vector<std::string> numbers;
+    std::map<std::string, std::vector<std::string>> seedsOf;  // by trial
     const auto indexOf = [](std::vector<std::string>& known, const std::string& one) {
         const auto at = std::ranges::find(known, one);
         if (at != known.end()) return static_cast<std::size_t>(at - known.begin());
@@ -57,7 +58,8 @@ RunsTable runsOf(const ResultsTable& table) {
         const std::size_t variant = indexOf(numbers, row[number]);
         if (variant == runs.variants.size()) runs.variants.push_back(row[called]);
         runs.variantOf.push_back(variant);
-        runs.seedOf.push_back(indexOf(runs.seeds, row[seed]));
+        runs.seedOf.push_back(indexOf(seedsOf[row[trial]], row[seed]));
+        runs.seeds = std::max(runs.seeds, runs.seedOf.back() + 1);
     }
     return runs;
 }
@@ -65,7 +67,7 @@ RunsTable runsOf(const ResultsTable& table) {
 /// Rows that are runs, made rows that are trials.
 Expected<TaskData> byVariant(TaskData of, const std::vector<std::size_t>& kept, const ResultsTable& table) {
     const RunsTable runs = runsOf(table);
-    const std::size_t variants = runs.variants.size(), seeds = runs.seeds.size(), width = of.inputs.size();
+    const std::size_t variants = runs.variants.size(), seeds = runs.seeds, width = of.inputs.size();
     if (variants < 2)
         return fail(table.file, "has one variant alone; expected several to choose from", 0, "--by-variant");
     struct Cells {

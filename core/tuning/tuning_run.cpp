@@ -79,7 +79,9 @@ private:
         }
     }
 
-    RunKey keyOf(std::uint32_t trial, std::uint32_t k) const { return {trial, experiment_.seed + k, number_}; }
+    RunKey keyOf(std::uint32_t trial, std::uint32_t k) const {
+        return {trial, experiment_.noiseSeed(trial, k), number_};
+    }
     bool isDone(std::uint32_t trial) const {
         for (std::uint32_t k = 0; k < experiment_.seeds; ++k)
             if (!file_.has(keyOf(trial, k))) return false;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "experiment/estimates.h"
 #include "experiment/results_table.h"
 #include "io/error.h"
-#include "validation/estimates.h"
 #include "validation/validation_file.h"
 
 namespace mrose {

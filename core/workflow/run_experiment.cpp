@@ -8,6 +8,7 @@
 #include "io/shell_quoted.h"
 #include "io/value_bytes.h"
 #include "recording/origin.h"
+#include "report/experiment_report.h"
 #include "scenario/description_library.h"
 #include "workflow/open_scenario.h"
 #include "workflow/resources.h"
@@ -31,13 +32,12 @@ std::string pluginFlags(const PluginUse& plugins) {
     return flags;
 }
 
-/// What all rows depend on. Which trials and how many seeds there are is no part of it: more of them may be added.
+/// What all rows depend on. Which trials there are is no part of it: more of them may be added.
 BatchIdentity identityOf(const Value& content, const Experiment& experiment, const ExperimentRequest& request) {
     BatchIdentity identity{{"mrose", std::string(MROSE_VERSION) + ' ' + thisOrigin().commit}};
     for (const std::string& assignment : request.overrides) identity["--set " + assignment] = "given";
     const std::string of(contentOf);
-    identity[of + "the experiment"] =
-        hexadecimal(hashOf(content.without("first_trial").without("trials").without("seeds")));
+    identity[of + "the experiment"] = hexadecimal(hashOf(content.without("first_trial").without("trials")));
     for (const Value::File& file : experiment.scenario.files())
         identity[of + file->name] = hexadecimal(hashOf(file->content));
     for (const Value::File& file : experiment.settings) identity[of + file->name] = hexadecimal(hashOf(file->content));
@@ -78,7 +78,15 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
     options.begins = watch.runBegins;
     options.progress = watch.progress;
     options.goesOn = watch.goesOn;
-    return runExperiment(experiment, options, request.folder);
+    auto summary = runExperiment(experiment, options, request.folder);
+    if (!summary || !summary->complete) return summary;
+    ReportContext context;
+    context.program = std::string("mrose ") + MROSE_VERSION;
+    context.commandLine = request.command;
+    const NamedFile page[] = {
+        {std::filesystem::path(request.folder) / "report.html", experimentReport(experiment, *summary, context)}};
+    if (const auto written = writeFilesAtomically(page); !written) return tl::unexpected(written.error());
+    return summary;
 }
 
 }  // namespace mrose

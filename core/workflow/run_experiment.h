@@ -20,6 +20,7 @@ struct ExperimentRequest {
     std::vector<std::string> overrides = {};  ///< of its scenario, as of ScenarioRequest
     PluginUse plugins = {};
     std::vector<std::string> settings = {};  ///< likewise
+    std::string command = {};                ///< as typed, for the page
 };
 
 /// How it is watched and ended; see ExperimentOptions. Each may be empty.
@@ -30,8 +31,8 @@ struct ExperimentWatch {
     GoesOn goesOn = {};
 };
 
-/// Runs what is not done yet. Error: there is no such experiment; as of readExperiment() and runExperiment() of
-/// experiment/experiment.h.
+/// Runs what is not done yet; when all is done, report.html says beside results.csv what it came to. Error: there is no
+/// such experiment; as of readExperiment() and runExperiment() of experiment/experiment.h.
 Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, const ExperimentWatch& watch = {});
 
 }  // namespace mrose

@@ -79,15 +79,32 @@ TEST_F(ExperimentTest, SharesHaveTheirIntervals) {
     const auto& measures = summary->variants[0].measures;
     for (const MeasureSummary& measure : {measures[0], measures[1]}) {
         ASSERT_TRUE(measure.share) << measure.name;
-        for (const double end : {measure.low, measure.high})
+        for (const double end : {measure.estimate.low, measure.estimate.high})
             if (end < 1) {
-                EXPECT_NEAR(std::abs(measure.mean - end), 1.959964 * std::sqrt(end * (1 - end) / 40), 1e-12);
+                EXPECT_NEAR(std::abs(measure.mean - end), 1.959964 * std::sqrt(end * (1 - end) / 40), 1e-7);
             }
-        EXPECT_LT(measure.low, measure.mean);
+        EXPECT_LT(measure.estimate.low, measure.mean);
     }
-    EXPECT_GT(measures[0].high, measures[0].mean);
-    EXPECT_EQ(measures[1].high, 1);
+    EXPECT_GT(measures[0].estimate.high, measures[0].mean);
+    EXPECT_EQ(measures[1].estimate.high, 1);
     EXPECT_FALSE(measures[2].share);
+    // Student's quantile of 39 degrees of freedom.
+    EXPECT_NEAR(measures[2].estimate.high - measures[2].mean, 2.02269 * measures[2].deviation / std::sqrt(40), 1e-5);
+}
+
+/// Runs of a trial that are all alike say no more than one.
+TEST_F(ExperimentTest, RunsOfATrialCountAsOneWhereTheyAreAlike) {
+    const std::string text =
+        "trials = 40\n[[draw]]\nname = \"u\"\nfrom = 0.0\nto = 1.0\n[measures]\nsome = 'draw.u < 0.3'\nnumber = "
+        "'draw.u'\n";
+    const auto once = run(experiment(text), "once"), often = run(experiment("seeds = 5\n" + text), "often");
+    ASSERT_TRUE(once && often);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Estimate &one = once->variants[0].measures[i].estimate, &many = often->variants[0].measures[i].estimate;
+        EXPECT_EQ(often->variants[0].measures[i].count, 200);
+        EXPECT_NEAR(many.low, one.low, 0.01);
+        EXPECT_NEAR(many.high, one.high, 0.01);
+    }
 }
 
 }  // namespace

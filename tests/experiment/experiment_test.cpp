@@ -126,13 +126,26 @@ way = 'robot[1].x - draw.x'
     EXPECT_NEAR(summary->variants[1].measures[0].mean, 2, 0.05);
     const auto all = rows();
     ASSERT_EQ(all.size(), 24u);
+    std::set<double> shares;
     for (std::size_t i = 0; i < all.size(); i += 2) {
         EXPECT_EQ(all[i].at("trial"), all[i + 1].at("trial"));
         EXPECT_EQ(all[i].at("draw.x"), all[i + 1].at("draw.x"));
         // The noise is a share of the way: of the same draws the same share.
         const double share = number(all[i].at("measure.way")) / number(all[i].at("draw.v"));
         EXPECT_NEAR(number(all[i + 1].at("measure.way")) / 0.5, share, 1e-9);
+        shares.insert(share);
     }
+    EXPECT_EQ(shares.size(), 12u) << "other trials have other noise";
+}
+
+TEST_F(ExperimentTest, EveryRunOfATrialHasASeedOfItsOwn) {
+    ASSERT_TRUE(run(experiment("seed = 5\nseeds = 3\n" + std::string(drawn) +
+                               "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\n")));
+    std::map<std::string, std::set<std::string>> seeds;
+    for (const auto& row : rows()) seeds[row.at("variant")].insert(row.at("seed"));
+    EXPECT_EQ(seeds["1"].size(), 36u);
+    EXPECT_EQ(*std::ranges::min_element(seeds["1"], {}, [](const std::string& seed) { return number(seed); }), "5");
+    EXPECT_EQ(seeds["1"], seeds["2"]);
 }
 
 TEST_F(ExperimentTest, SomeBodiesAreThereAndOthersNot) {

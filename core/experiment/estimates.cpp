@@ -1,4 +1,4 @@
-#include "validation/estimates.h"
+#include "experiment/estimates.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "validation/estimates.h"
+#include "experiment/estimates.h"
 
 #include <cmath>
 #include <numbers>

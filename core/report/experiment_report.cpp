@@ -1,0 +1,116 @@
+#include "report/experiment_report.h"
+
+#include <cmath>
+
+#include "io/format.h"
+#include "report/mean_figure.h"
+
+namespace mrose {
+namespace {
+
+constexpr std::string_view ofMeasures = "measure.";
+
+/// Of a share in percent.
+double factorOf(const MeasureSummary& measure) { return measure.share ? 100 : 1; }
+/// With some four digits.
+std::string numberOf(double value) {
+    if (!std::isfinite(value)) return "";
+    const double size = std::abs(value);
+    return fixedWithMinus(value, size >= 1000               ? 0
+                                 : size >= 100              ? 1
+                                 : size >= 10               ? 2
+                                 : size >= 0.1 || size == 0 ? 3
+                                                            : 5);
+}
+
+/// Of a measure of that place in all variants; a share where it is one in all.
+struct Column {
+    std::string name;
+    bool share = true;
+    std::vector<NamedMean> means;
+};
+
+Column columnOf(const ExperimentSummary& summary, std::size_t place) {
+    Column column{summary.variants.front().measures[place].name.substr(ofMeasures.size()), true, {}};
+    for (const VariantSummary& variant : summary.variants)
+        column.share = column.share && (variant.measures[place].share || variant.measures[place].count == 0);
+    for (const VariantSummary& variant : summary.variants) {
+        Estimate mean = variant.measures[place].estimate;
+        if (column.share) mean = {100 * mean.value, 100 * mean.low, 100 * mean.high};
+        column.means.push_back({variant.name, mean});
+    }
+    return column;
+}
+
+std::string meansTable(const ExperimentSummary& summary, const std::vector<Column>& columns) {
+    std::vector<std::string> heads{""};
+    for (const Column& column : columns) heads.push_back(escaped(column.name) + (column.share ? " (%)" : ""));
+    for (const char* const head : {"runs", "ended", "faults"}) heads.emplace_back(head);
+    HtmlTable table({{"", heads}});
+    for (std::size_t v = 0; v < summary.variants.size(); ++v) {
+        const VariantSummary& variant = summary.variants[v];
+        std::vector<std::string> cells{variant.name.empty() ? "all runs" : escaped(variant.name)};
+        for (const Column& column : columns) {
+            const Estimate& mean = column.means[v].mean;
+            cells.push_back(cat(numberOf(mean.value),
+                                std::isfinite(mean.low)
+                                    ? cat(" <small>", numberOf(mean.low), " to ", numberOf(mean.high), "</small>")
+                                    : ""));
+        }
+        for (const std::int64_t count : {variant.runs, variant.ended, variant.faulty})
+            cells.push_back(std::to_string(count));
+        table.row(cells);
+    }
+    return table.text();
+}
+
+/// How a measure spreads, of an experiment without variants.
+std::string spreadTable(const VariantSummary& all) {
+    HtmlTable table({{"", {"", "mean", "95 % of the mean", "deviation", "least", "most", "of runs"}}});
+    for (const MeasureSummary& measure : all.measures) {
+        const double factor = factorOf(measure);
+        const auto number = [&](double value) { return measure.count > 0 ? numberOf(factor * value) : ""; };
+        table.row({cat(escaped(measure.name), measure.share ? " (%)" : ""), number(measure.mean),
+                   cat(number(measure.estimate.low), " to ", number(measure.estimate.high)), number(measure.deviation),
+                   number(measure.least), number(measure.most), std::to_string(measure.count)});
+    }
+    return table.text();
+}
+
+}  // namespace
+
+std::string experimentReport(const Experiment& experiment, const ExperimentSummary& summary,
+                             const ReportContext& context) {
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < summary.variants.front().measures.size(); ++i)
+        if (summary.variants.front().measures[i].name.starts_with(ofMeasures)) columns.push_back(columnOf(summary, i));
+    std::string body = element("h1", "", cat(escaped(experiment.name), "<span class=\"badge\">simulated</span>"));
+    body += element(
+        "p", "sub",
+        cat("experiment <code>", escaped(experiment.file), "</code>, trials ", std::to_string(experiment.firstTrial),
+            " to ", std::to_string(experiment.firstTrial + experiment.trials - 1), ", ",
+            counted(experiment.seeds, "run"), " each", context.program.empty() ? "" : " · ", escaped(context.program)));
+    for (const std::string& notice : context.notices) body += element("p", "notice", escaped(notice));
+    if (summary.variants.size() > 1) {
+        body += heading("What it comes to");
+        for (const Column& column : columns)
+            body += card(escaped(column.name), meanFigure(column.means, column.name + (column.share ? " (%)" : "")));
+        body += tableCard(meansTable(summary, columns));
+    } else {
+        body += cat(heading("What it comes to"), tableCard(spreadTable(summary.variants.front())));
+    }
+    body += cat(
+        heading("What the numbers mean"),
+        paragraph("Means over all runs in which the measure is known. Intervals are of 95\u00a0%, over trials: runs "
+                  "of a trial count as one; of shares by Wilson’s interval. Variants have the same trials with "
+                  "the same noise: their differences are more certain than the intervals look."));
+    if (!context.commandLine.empty())
+        body += cat(heading("Where this comes from"),
+                    paragraph(cat("<code>", escaped(context.commandLine),
+                                  "</code>. The runs are in "
+                                  "<code>results.csv</code>, each with the commands that repeat it; "
+                                  "<code>mrose-gui results.csv</code> lists them.")));
+    return reportPage(escaped(experiment.name), body);
+}
+
+}  // namespace mrose
