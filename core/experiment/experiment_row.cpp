@@ -38,30 +38,24 @@ void add(MeasureSummary& summary, double value) {
     summary.deviation += off * (value - summary.mean);  // a sum of squares, for now
 }
 
-/// What a measure came to in a variant's runs, trial by trial.
-struct TrialMeans {
-    std::vector<double> means;
+/// What a measure came to in the runs of a trial.
+struct TrialSum {
+    std::uint32_t trial = 0;
     double sum = 0;
-    std::int64_t count = 0;  ///< of the trial at hand
-
-    void add(double value) {
-        if (!std::isfinite(value)) return;
-        sum += value;
-        ++count;
-    }
-    void endTrial() {
-        if (count > 0) means.push_back(sum / static_cast<double>(count));
-        sum = 0;
-        count = 0;
-    }
+    double count = 0;
 };
 
-Estimate estimateOf(const MeasureSummary& summary, const std::vector<double>& byTrial) {
+/// Of a mean over runs, with runs of a trial as one: how far its sum is from what so many runs have on average.
+Estimate estimateOf(const MeasureSummary& summary, const std::vector<TrialSum>& trials) {
     const auto runs = static_cast<double>(summary.count);
-    if (summary.share) return wilsonShare(summary.mean, effectiveCount(byTrial, runs));
-    Estimate of = meanOf(byTrial);
-    of.value = summary.mean;
-    return of;
+    std::vector<double> off, means;
+    for (const TrialSum& trial : trials) {
+        off.push_back(static_cast<double>(trials.size()) * (trial.sum - trial.count * summary.mean) / runs);
+        means.push_back(trial.sum / trial.count);
+    }
+    if (summary.share) return wilsonShare(summary.mean, effectiveCount(means, runs));
+    const Estimate around = meanOf(off);  // 0
+    return {summary.mean, summary.mean + around.low, summary.mean + around.high};
 }
 
 }  // namespace
@@ -108,16 +102,9 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
         for (const Feature& feature : experiment.features) summary.measures.push_back({"feature." + feature.name});
         for (const Measure& measure : experiment.measures) summary.measures.push_back({"measure." + measure.name});
     }
-    std::vector<std::vector<TrialMeans>> trials(summaries.size());
+    std::vector<std::vector<std::vector<TrialSum>>> trials(summaries.size());  // [variant][measure][trial]
     for (std::size_t v = 0; v < summaries.size(); ++v) trials[v].resize(summaries[v].measures.size());
-    const auto endTrial = [&] {
-        for (std::vector<TrialMeans>& ofVariant : trials)
-            for (TrialMeans& of : ofVariant) of.endTrial();
-    };
-    std::uint32_t trial = 0;
     for (const auto& [key, row] : rows) {
-        if (key.trial != trial) endTrial();
-        trial = key.trial;
         const std::vector<std::string> cells = resultsCells(row);
         VariantSummary& summary = summaries[key.variant - 1];
         const std::size_t first = firstDrawCell + experiment.draws.size();
@@ -130,16 +117,19 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
             const std::string& cell = cells[first + i];
             std::from_chars(cell.data(), cell.data() + cell.size(), value);
             add(summary.measures[i], value);
-            trials[key.variant - 1][i].add(value);
+            if (!std::isfinite(value)) continue;
+            std::vector<TrialSum>& ofMeasure = trials[key.variant - 1][i];
+            if (ofMeasure.empty() || ofMeasure.back().trial != key.trial) ofMeasure.push_back({key.trial});
+            ofMeasure.back().sum += value;
+            ++ofMeasure.back().count;
         }
     }
-    endTrial();
     for (std::size_t v = 0; v < summaries.size(); ++v)
         for (std::size_t i = 0; i < summaries[v].measures.size(); ++i) {
             MeasureSummary& measure = summaries[v].measures[i];
             measure.deviation =
                 measure.count > 1 ? std::sqrt(measure.deviation / static_cast<double>(measure.count - 1)) : 0;
-            if (measure.count > 0) measure.estimate = estimateOf(measure, trials[v][i].means);
+            if (measure.count > 0) measure.estimate = estimateOf(measure, trials[v][i]);
         }
     return summaries;
 }
