@@ -108,7 +108,7 @@ std::string worstSection(const TaskReport& report) {
         const std::size_t row = i / held.outputs();
         const std::string variant = held.variants.empty() ? "" : cat(", ", escaped(held.variants[i % held.outputs()]));
         table.row({cat(std::to_string(held.trial[row]), variant), fixed(held.y[i], 3), fixed(predicted[i], 3),
-                   cat("<code>", escaped(held.window[row]), "</code>")});
+                   cat("<code>", escaped(held.window[i]), "</code>")});
     }
     return cat(heading("The trials that it predicts worst"), tableCard(table.text()));
 }

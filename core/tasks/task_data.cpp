@@ -72,7 +72,7 @@ Expected<TaskData> byVariant(TaskData of, const std::vector<std::size_t>& kept, 
         return fail(table.file, "has one variant alone; expected several to choose from", 0, "--by-variant");
     struct Cells {
         std::vector<double> x, y;
-        std::string window;
+        std::vector<std::string> window;  // by variant
         std::size_t known = 0;
     };
     std::map<std::uint32_t, Cells> trials;
@@ -81,7 +81,9 @@ Expected<TaskData> byVariant(TaskData of, const std::vector<std::size_t>& kept, 
         trials[static_cast<std::uint32_t>(table.number(row, trial))].y.assign(seeds * variants, 0);
     for (std::size_t i = 0; i < kept.size(); ++i) {
         Cells& cells = trials[of.trial[i]];
-        if (cells.x.empty()) cells.x.assign(of.inputsOf(i), of.inputsOf(i) + width), cells.window = of.window[i];
+        if (cells.x.empty()) cells.x.assign(of.inputsOf(i), of.inputsOf(i) + width);
+        cells.window.resize(variants);
+        if (std::string& window = cells.window[runs.variantOf[kept[i]]]; window.empty()) window = of.window[i];
         cells.y[runs.seedOf[kept[i]] * variants + runs.variantOf[kept[i]]] = of.y[i];
         ++cells.known;
     }
@@ -94,7 +96,7 @@ Expected<TaskData> byVariant(TaskData of, const std::vector<std::size_t>& kept, 
             continue;
         }
         data.trial.push_back(number);
-        data.window.push_back(cells.window);
+        data.window.insert(data.window.end(), cells.window.begin(), cells.window.end());
         data.x.insert(data.x.end(), cells.x.begin(), cells.x.end());
         data.bySeed.insert(data.bySeed.end(), cells.y.begin(), cells.y.end());
         for (std::size_t variant = 0; variant < variants; ++variant) {
@@ -122,7 +124,8 @@ TaskData TaskData::part(int every, int offset, bool heldOut) const {
         take(y, row, outputs(), part.y);
         if (!variants.empty()) take(bySeed, row, seeds * variants.size(), part.bySeed);
         part.trial.push_back(trial[row]);
-        if (!window.empty()) part.window.push_back(window[row]);
+        for (std::size_t k = 0; k < outputs() && !window.empty(); ++k)
+            part.window.push_back(window[row * outputs() + k]);
         for (std::size_t k = 0; k < beside.size(); ++k) part.beside[k].of.push_back(beside[k].of[row]);
     }
     return part;

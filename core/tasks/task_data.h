@@ -28,7 +28,7 @@ struct TaskData {
     std::vector<double> x;              ///< [row][input]
     std::vector<double> y;              ///< [row][output]: the target, or that of each variant
     std::vector<std::uint32_t> trial;   ///< [row]
-    std::vector<std::string> window;    ///< [row]: what opens it, or its first run, in the window
+    std::vector<std::string> window;    ///< [row][output]: what opens it, or its first run, in the window
     struct Guess {
         std::string name;
         std::vector<double> of;  ///< [row]

@@ -30,7 +30,8 @@ TaskData crossing() {
         data.y.insert(data.y.end(), sums, sums + 2);
         data.x.insert(data.x.end(), {a, 7.0});
         data.trial.push_back(trial);
-        data.window.push_back("mrose-gui 'x <y>' --trial " + std::to_string(trial));
+        for (const char* const variant : {"one", "other"})
+            data.window.push_back("mrose-gui 'x <y>' --trial " + std::to_string(trial) + " --variant " + variant);
     }
     return data;
 }

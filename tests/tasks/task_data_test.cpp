@@ -82,10 +82,10 @@ constexpr const char* variants =
     "1,8,1,here,condition,0.5,3.0,\n"
     "1,7,2,there,condition,0.5,4.0,\n"
     "1,8,2,there,duration,0.5,9.0,\n"
-    "2,7,1,here,condition,0.7,1.0,mrose-gui second\n"
-    "2,8,1,here,condition,0.7,1.5,\n"
-    "2,7,2,there,condition,0.7,6.0,\n"
-    "2,8,2,there,condition,0.7,7.0,\n";
+    "2,9,1,here,condition,0.7,1.0,mrose-gui second\n"
+    "2,10,1,here,condition,0.7,1.5,mrose-gui later\n"
+    "2,9,2,there,condition,0.7,6.0,mrose-gui other\n"
+    "2,10,2,there,condition,0.7,7.0,\n";
 
 TEST_F(TaskDataTest, ByVariantARowIsATrialWithAllItsRuns) {
     folder_.write("results.csv", variants);
@@ -97,7 +97,7 @@ TEST_F(TaskDataTest, ByVariantARowIsATrialWithAllItsRuns) {
     EXPECT_THAT(data->trial, ElementsAre(2u)) << "the first has a run that did not end";
     EXPECT_THAT(data->y, ElementsAre(1.25, 6.5));
     EXPECT_THAT(data->bySeed, ElementsAre(1.0, 6.0, 1.5, 7.0));
-    EXPECT_THAT(data->window, ElementsAre("mrose-gui second"));
+    EXPECT_THAT(data->window, ElementsAre("mrose-gui second", "mrose-gui other"));
     EXPECT_EQ(data->seeds, 2u);
     EXPECT_EQ(data->unfinished, 1);
     EXPECT_EQ(data->unknown, 1);
