@@ -22,7 +22,7 @@ Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions
     options.watchFollows = readsInsights(experiment.branch.text, *scenario);
     options.watch = [&](const Moment& at) { return branches.holds(at); };
     if (goesOn) options.each = [&](const WorldState&, const StepTrace&) { return goesOn(); };
-    auto result = run(*scenario, std::move(start), options);
+    auto result = run(*scenario, start, options);
     if (!result) return tl::unexpected(experiment.branch.placed(result.error(), experiment.file));
     BranchPoint point{std::move(scenario), std::move(*result), drawn};
     point.drawn.back().value = toSeconds(point.scenario->scene().timeOf(point.before.state.tick));

@@ -27,7 +27,7 @@ namespace {
 /// From a start; `asked` is the moment at which features are asked.
 Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledExpressions& compiled,
                                    TrialMeasurement measurement, const Moment& asked, const Scenario& scenario,
-                                   WorldState start, const GoesOn& goesOn) {
+                                   const WorldState& start, const GoesOn& goesOn) {
     if (const auto begun = measurement.begin(asked); !begun) return tl::unexpected(begun.error());
     RunOptions options;
     options.duration = scenario.parts().duration;
@@ -41,7 +41,7 @@ Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledE
         if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
     };
     options.each = [&](const WorldState&, const StepTrace&) { return !goesOn || goesOn(); };
-    auto result = run(scenario, std::move(start), options);
+    auto result = run(scenario, start, options);
     if (!result) return tl::unexpected(result.error());
     if (wrong) return tl::unexpected(*wrong);
     return MeasuredRun{std::move(*result), std::move(measurement)};
