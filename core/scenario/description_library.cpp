@@ -136,7 +136,7 @@ std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& tab
                                                                   const std::string& from,
                                                                   std::initializer_list<const char*> inputs,
                                                                   std::initializer_list<const char*> outputs) {
-    const std::shared_ptr<const LearnedMapping> found = mapping(table, key, from);
+    std::shared_ptr<const LearnedMapping> found = mapping(table, key, from);
     if (!found) return nullptr;
     const std::string cause = mismatch(*found, inputs, outputs);
     if (!cause.empty()) return table.reject(key, shown(table.value(key)->asFile()->name) + ' ' + cause), nullptr;
