@@ -1,0 +1,23 @@
+#!/bin/sh
+# Makes the README's pictures of what was learned: the ball off the wall, a team on its planned paths, and how many go for the
+# ball, where localisation and radio get worse: make_learned.sh [FOLDER]. Needs no display, but ImageMagick and rsvg-convert.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+programs=$(cd "$here/../../build" && pwd)
+cd "${1:-$here}"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+out=$PWD
+palette="+dither -colors 255 -strip"
+(
+    cd "$work"
+    "$programs/mrose-gui" --offscreen ball_off_the_wall.toml --trial 8 --size 1000x700 --script "$here/../paper/figure3.lua"
+    convert figure3a.png figure3b.png figure3c.png figure3d.png +append -resize 1400x $palette "PNG8:$out/ball_off_the_wall.png"
+    "$programs/mrose-gui" --offscreen planner_choice_validation.toml --trial 3042 --variant 'chosen in simulator' --size 1100x720 \
+        --script "$here/navigation.lua"
+    convert navigation.png $palette "PNG8:$out/navigation.png"
+    "$programs/mrose" experiment who_goes_sweep.toml -o sweep --quiet >/dev/null
+    "$here/page_figures" sweep/report.html figure
+    convert figure0.png figure1.png figure2.png +append -resize 1560x $palette "PNG8:$out/who_goes_sweep.png"
+)
+for picture in ball_off_the_wall navigation who_goes_sweep; do echo "$out/$picture.png"; done
