@@ -35,7 +35,7 @@ void add(MeasureSummary& summary, double value) {
     summary.most = summary.count == 1 ? value : std::max(summary.most, value);
     const double off = value - summary.mean;
     summary.mean += off / static_cast<double>(summary.count);
-    summary.deviation += off * (value - summary.mean);  // a sum of squares, for now
+    summary.deviation += off * (value - summary.mean);  // a sum of squares until all are added
 }
 
 /// What a measure came to in the runs of a trial.

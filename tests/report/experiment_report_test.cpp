@@ -1,0 +1,69 @@
+#include "report/experiment_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/markup.h"
+
+namespace mrose {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+MeasureSummary measured(const std::string& name, double mean, double low, double high, bool share = false) {
+    MeasureSummary measure;
+    measure.name = name;
+    measure.count = 40;
+    measure.mean = mean;
+    measure.share = share;
+    measure.estimate = {mean, low, high};
+    return measure;
+}
+
+VariantSummary variant(const std::string& name, double time, double share) {
+    return {name,
+            40,
+            38,
+            1,
+            {measured("feature.asked", 7777, 7000, 8000), measured("measure.time <s>", time, time - 1, time + 2),
+             measured("measure.done", share, share - 0.1, share + 0.1, true)}};
+}
+
+Experiment named() {
+    Experiment experiment;
+    experiment.file = "a&b.toml";
+    experiment.name = "<ways>";
+    experiment.firstTrial = 11;
+    experiment.trials = 20;
+    experiment.seeds = 2;
+    return experiment;
+}
+
+TEST(ExperimentReport, VariantsStandBesideEachOtherInTableAndPictures) {
+    ExperimentSummary summary;
+    summary.variants = {variant("slow & <sure>", 23.456, 0.25), variant("fast", 12.5, 0.5)};
+    ReportContext context;
+    context.commandLine = "mrose experiment 'x' > y";
+    const std::string html = experimentReport(named(), summary, context);
+    EXPECT_EQ(markupError(html), "");
+    for (const char* const raw : {"<ways>", "a&b.toml", "time <s>", "& <sure>", "7777"})
+        EXPECT_THAT(html, Not(HasSubstr(raw)));
+    for (const char* const text :
+         {"&lt;ways&gt;", "a&amp;b.toml", "trials 11 to 30", "2 runs", "time &lt;s&gt;", "slow &amp; &lt;sure&gt;",
+          "23.46 <small>22.46 to 25.46</small>", "25.00 <small>15.00 to 35.00</small>", "done (%)"})
+        EXPECT_THAT(html, HasSubstr(text));
+    EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 2u) << "one for each measure, none for what was asked";
+}
+
+TEST(ExperimentReport, WithoutVariantsItSaysHowMeasuresSpread) {
+    ExperimentSummary summary;
+    summary.variants = {variant("", 12.5, 0.5)};
+    const std::string html = experimentReport(named(), summary, {});
+    EXPECT_EQ(markupError(html), "");
+    EXPECT_THAT(html, HasSubstr("11.50 to 14.50"));
+    EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 0u);
+}
+
+}  // namespace
+}  // namespace mrose
