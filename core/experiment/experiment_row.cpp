@@ -129,6 +129,10 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
             MeasureSummary& measure = summaries[v].measures[i];
             measure.deviation =
                 measure.count > 1 ? std::sqrt(measure.deviation / static_cast<double>(measure.count - 1)) : 0;
+            // A mean over looks that is 0 or 1 throughout is no yes or no.
+            const bool ofLooks = i >= experiment.features.size() &&
+                                 experiment.measures[i - experiment.features.size()].of != Measure::Of::end;
+            measure.share = measure.share && !ofLooks;
             if (measure.count > 0) measure.estimate = estimateOf(measure, trials[v][i]);
         }
     return summaries;

@@ -8,7 +8,7 @@
 namespace mrose {
 namespace {
 
-constexpr double rowHeight = 26, letterWidth = 6.4, plotWidth = 420;  // px
+constexpr double rowHeight = 26, letterWidth = 7.2, plotWidth = 420;  // px
 
 }  // namespace
 

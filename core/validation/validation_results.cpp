@@ -149,7 +149,7 @@ private:
         };
         const std::vector<double> simulated = gains(false), real = gains(true);
         of.gain = {meanOf(simulated), meanOf(real)};
-        of.survives = ratioOfMeans(real, simulated);
+        if (of.gain[0].value > 0) of.survives = ratioOfMeans(real, simulated);
         for (const std::size_t after : {0u, 1u})
             of.worse[after] = meanOf(column(
                 [&](const TrialValues& trial) { return of.measure.gain(trial.of[2 + after], trial.of[after]); }));
