@@ -73,7 +73,7 @@ TEST_F(ExperimentTest, MeasuresTellTheLongestStretchAndReadThoseAboveThem) {
 TEST_F(ExperimentTest, SharesHaveTheirIntervals) {
     const Experiment lane = experiment(
         "trials = 40\n[[draw]]\nname = \"u\"\nfrom = 0.0\nto = 1.0\n[measures]\n"
-        "some = 'draw.u < 0.3'\nall = 'time > 0'\nnumber = 'draw.u'\n");
+        "some = 'draw.u < 0.3'\nall = 'time > 0'\nnumber = 'draw.u'\nalways = { mean = 'time >= 0' }\n");
     const auto summary = run(lane);
     ASSERT_TRUE(summary) << summary.error().message();
     const auto& measures = summary->variants[0].measures;
@@ -88,6 +88,8 @@ TEST_F(ExperimentTest, SharesHaveTheirIntervals) {
     EXPECT_GT(measures[0].estimate.high, measures[0].mean);
     EXPECT_EQ(measures[1].estimate.high, 1);
     EXPECT_FALSE(measures[2].share);
+    EXPECT_FALSE(measures[3].share) << "a mean over looks, though it is 1 in all runs";
+    EXPECT_EQ(measures[3].estimate.low, 1);
     // Student's quantile of 39 degrees of freedom.
     EXPECT_NEAR(measures[2].estimate.high - measures[2].mean, 2.02269 * measures[2].deviation / std::sqrt(40), 1e-5);
 }

@@ -168,6 +168,14 @@ TEST_F(ValidationTest, GainsAreWhatTheyAreInClosedForm) {
     EXPECT_FALSE(result.account.logMinutes);
 }
 
+TEST_F(ValidationTest, WhereNothingIsGainedNothingSurvives) {
+    const auto validation = read(replaced(laneValidation, "v_mps\" = 0.5", "v_mps\" = 0.1"));
+    ASSERT_TRUE(validation) << validation.error().message();
+    const ValidationResult result = validated(*validation);
+    EXPECT_NEAR(result.measures[0].gain[0].value, -0.4, 1e-9);
+    EXPECT_TRUE(std::isnan(result.measures[0].survives.value));
+}
+
 TEST_F(ValidationTest, IntervalsArePairedByTrial) {
     texts_["r.toml"] += "[motion_noise]\ndistance_per_distance = 0.5\n";
     text_ = replaced(text_, "trials = 20\n", "trials = 20\nseeds = 3\n");
