@@ -14,8 +14,8 @@ std::uint64_t labelKey(std::uint64_t kind, std::uint64_t first, std::uint64_t se
     return kind << 56 | (first & 0xffffff) << 28 | (second & 0xffffff);
 }
 
-/// Of 255: how strong the notes of others than the selected robot are, and where none is selected.
-constexpr int faintest = 70, faint = 120;
+/// Of 255: how strong the notes of others than the selected robot are; where none is selected, points, and lines.
+constexpr int faintest = 70, faint = 120, lines = 190;
 /// Of those of whom an answer is not.
 constexpr int quiet = 30;
 
@@ -45,7 +45,7 @@ double objectAt(const FieldCanvas& canvas, const FieldFrame& frame, const Point&
 
 void drawNoteLine(const FieldCanvas& canvas, const QPolygonF& points, const QColor& colour, bool selected) {
     if (selected) return canvas.casedLine(points, roundPen(colour, 2, Qt::DotLine));
-    canvas.painter.setPen(roundPen(colour, 1.4, Qt::DotLine));
+    canvas.painter.setPen(roundPen(colour, 1.7, Qt::DotLine));
     canvas.painter.drawPolyline(points);
 }
 
@@ -95,7 +95,8 @@ void drawNotes(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFo
             if (note.kind == Annotation::Kind::line) {
                 WayLine line;
                 for (const Point& point : note.points) line.add(canvas.at(point));
-                for (const QPolygonF& points : line.lines()) drawNoteLine(canvas, points, colour, selected);
+                const QColor ofWay = focus.selected || focus.isQuiet(robot) ? colour : withAlpha(colour, lines);
+                for (const QPolygonF& points : line.lines()) drawNoteLine(canvas, points, ofWay, selected);
             }
             if (note.kind != Annotation::Kind::point) continue;
             for (const Point& point : note.points) {

@@ -6,6 +6,7 @@
 #include "report/evaluation_files.h"
 #include "report/evaluation_report.h"
 #include "workflow/evaluate_network.h"
+#include "workflow/resources.h"
 #include "world/seconds_text.h"
 
 namespace mrose::cli {
@@ -133,10 +134,13 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                       "Sensors are those that report landmarks or robots: a learned localisation is judged by what\n"
                       "mrose train says of what it held out, and by nothing else.");
     addOverwrite(*sub, common);
-    sub->add_option("NET", flags->what.network, "Network file")->required();
+    sub->add_option("NET", flags->what.network, "Network file, or the name of one that ships")
+        ->required()
+        ->transform(placeOfNetwork);
     sub->add_option("--log", flags->what.log, "The log to compare with")->required();
     sub->add_option("--robots", flags->what.robots, "Only these robots, by name: 1,2")->delimiter(',');
-    sub->add_option("--against", flags->what.against, "Other network files, beside it in all tables and pictures");
+    sub->add_option("--against", flags->what.against, "Other network files, beside it in all tables and pictures")
+        ->transform(placeOfNetwork);
     flags->ofSensors.push_back(
         sub->add_flag("--families", flags->families,
                       "Of a sensor: beside it the other two of network, lookup table and decision trees, learned from "

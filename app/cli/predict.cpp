@@ -4,6 +4,7 @@
 #include "io/format.h"
 #include "workflow/predict_readings.h"
 #include "workflow/predict_windows.h"
+#include "workflow/resources.h"
 
 namespace mrose::cli {
 namespace {
@@ -58,7 +59,9 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "range_m,bearing_rad. Predictions use no reading of the log. A learned localisation is not asked.\n"
         "dataset is the number of an MRCLAM data set, as 7, and 0 for all other logs.");
     addOverwrite(*sub, common);
-    sub->add_option("NET", request->network, "Network file")->required();
+    sub->add_option("NET", request->network, "Network file, or the name of one that ships")
+        ->required()
+        ->transform(placeOfNetwork);
     sub->add_option("--log", request->log, "The log to predict")->required();
     CLI::Option* windows =
         sub->add_option("--windows", request->windows, "Of motion: CSV file that says which windows");

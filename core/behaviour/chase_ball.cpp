@@ -38,6 +38,8 @@ constexpr double sweepReach = 0.06;                      // m, between front and
 constexpr double crowd = 0.7;                            // m, from the ball: of robots that are at it
 constexpr double waitAt = 1.6, waitWithin = 0.3;         // m, from the ball, and how exactly
 constexpr double waitAside = 0.7;                        // of 1
+constexpr double lookRound = 1.5, stopWithin = 0.4;      // m, ahead
+constexpr double bodyRadius = 0.28, contested = 0.55;    // m; from the ball
 constexpr double kickEvery = 1;                          // s
 constexpr double kickWidth = 0.09, kickReach = 0.05;     // m, beside and before its front
 constexpr double kickAngle = 0.5, kickMiss = 0.85;       // rad; m, beside the target
@@ -98,10 +100,11 @@ Point ChaseBall::aim(const Situation& now, Memory& memory) const {
     return now.ball + (touch + wayRound) * Placement({0, 0, round}).rotate(unit(offset));
 }
 
-Command ChaseBall::chase(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const {
+Command ChaseBall::chase(const Observation& observation, Memory& memory, WallStroke* stroke,
+                         std::span<const Point> others, Decision& decision) const {
     const Situation now = situation(memory);
     const bool strikes = stroke != nullptr && stroke->strikes();
-    if (!strikes && mustWait(now, observation, memory)) return wait(now, observation, memory);
+    if (!strikes && mustWait(now, others)) return wait(now, memory, others);
     if (stroke != nullptr)
         if (const auto command = strike(now, observation, memory, *stroke)) return *command;
     if (beginsSweeping(now, observation, memory)) return sweep(memory);
@@ -111,10 +114,33 @@ Command ChaseBall::chase(const Observation& observation, Memory& memory, WallStr
         decision.kicks.push_back({});
         memory.nextKick = observation.time + fromSeconds(kickEvery);
     }
-    const Command intended = driveTowards(Placement(now.robot).placeBack(memory.aim), limits());
-    if (memory.phase != goingBehind) return intended;
-    const double reach = std::min(1.2, distance(position(now.robot), now.ball));
-    return evading(intended, evade(observation.robots(), memory.motion, options_.deadTime, reach), limits());
+    if (memory.phase != goingBehind) return driveTowards(Placement(now.robot).placeBack(memory.aim), limits());
+    std::vector<Point> inTheWay;  // who is at the ball is not: it is fought for
+    for (const Point& body : others)
+        if (distance(body, now.ball) > contested) inTheWay.push_back(body);
+    return goTo(memory.aim, now.robot, inTheWay);
+}
+
+/// Round those that are in the way, the slower the shorter the way ahead.
+Command ChaseBall::goTo(const Point& place, const Pose& from, std::span<const Point> others) const {
+    const Point line = place - position(from);
+    const double look = std::min(lookRound, length(line)), room = options_.halfWidth + roomBeside;
+    std::vector<ConvexPiece> pieces;
+    for (const Point& body : others)
+        if (distance(body, position(from)) < look + room + bodyRadius)
+            pieces.push_back(ConvexPiece::circle(body, bodyRadius));
+    if (pieces.empty()) return driveTowards(Placement(from).placeBack(place), limits());
+    const FloorPlan bodies(std::move(pieces));
+    const auto freeWay = [&](double heading) {
+        const Point way = Placement({0, 0, heading}).rotate({1, 0});
+        return std::min(bodies.freeWay(position(from), way, room, look),
+                        options_.walls->freeWay(position(from), way, options_.halfWidth, look));
+    };
+    const double wanted = direction(line), heading = clearHeading(wanted, look, freeWay);
+    const Point towards = heading == wanted ? line : Placement({0, 0, heading}).rotate({1, 0});
+    Command command = driveTowards(Placement({0, 0, from.heading}).rotateBack(towards), limits());
+    command.v *= std::min(1.0, freeWay(from.heading) / std::max(1e-3, std::min(look, stopWithin)));
+    return command;
 }
 
 /// Where a sighting of now has the ball right before the front, and the target lies ahead.
@@ -161,26 +187,24 @@ Command ChaseBall::sweep(const Memory& memory) const {
 }
 
 /// At a wall there is no room for two robots, and no use in pushing the ball into a corner.
-bool ChaseBall::mustWait(const Situation& now, const Observation& observation, const Memory& memory) const {
+bool ChaseBall::mustWait(const Situation& now, std::span<const Point> others) const {
     if (now.way.cornered && !options_.guide) return true;
-    if (now.way.out == Point{} || distance(position(now.robot), now.ball) < crowd) return false;
-    return std::ranges::any_of(observation.robots(), [&](const SeenBody& seen) {
-        const Placement then(memory.self.at(seen.measured, memory.motion));
-        return distance(then.place(seen.position_B), now.ball) < crowd;
-    });
+    if (!options_.yields || now.way.out == Point{} || distance(position(now.robot), now.ball) < crowd) return false;
+    return std::ranges::any_of(others, [&](const Point& body) { return distance(body, now.ball) < crowd; });
 }
 
 /// Some way off, on the side that the target is not on, and looks at the ball.
-Command ChaseBall::wait(const Situation& now, const Observation& observation, Memory& memory) const {
+Command ChaseBall::wait(const Situation& now, Memory& memory, std::span<const Point> others) const {
     memory.phase = waiting;
     const Point place = now.ball + waitAt * unit(now.way.out - waitAside * unit(options_.target - now.ball));
-    return standBy(place, now.ball, observation, memory);
+    return standBy(place, now.ball, memory, others);
 }
 
-Command ChaseBall::standBy(const Point& place, const Point& watched, const Observation& observation,
-                           Memory& memory) const {
+Command ChaseBall::standBy(const Point& place, const Point& watched, Memory& memory,
+                           std::span<const Point> others) const {
     memory.aim = place;
-    const Placement frame(memory.self.pose * memory.motion.motionDuring(options_.deadTime));
+    const Pose robot = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
+    const Placement frame(robot);
     const Point aim_B = frame.placeBack(memory.aim);
     if (length(aim_B) < waitWithin) {
         const double turn = turnGain * direction(frame.placeBack(watched));
@@ -190,8 +214,7 @@ Command ChaseBall::standBy(const Point& place, const Point& watched, const Obser
         const Command forward = driveTowards(-1 * aim_B, limits());
         return {-forward.v, forward.w};
     }
-    return evading(driveTowards(aim_B, limits()), evade(observation.robots(), memory.motion, options_.deadTime),
-                   limits());
+    return goTo(place, robot, others);
 }
 
 void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
@@ -229,7 +252,8 @@ std::optional<Command> ChaseBall::backOff(const Observation& observation, Memory
                                  {options_.speed, options_.rotation, options_.deadTime, turnAway});
 }
 
-Command ChaseBall::play(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const {
+Command ChaseBall::play(const Observation& observation, Memory& memory, WallStroke* stroke,
+                        std::span<const Point> others, Decision& decision) const {
     if (const std::optional<Command> back = backOff(observation, memory)) {
         memory.phase = backingOff;
         if (stroke != nullptr) stroke->stop();
@@ -240,7 +264,7 @@ Command ChaseBall::play(const Observation& observation, Memory& memory, WallStro
     if (memory.phase == sweeping && observation.time < memory.phaseEnd) return sweep(memory);
     if (memory.ball.known == 0) return search(observation, memory);
     if (memory.phase == backingOff && memory.backOff.times % 2 == 1) memory.phase = straightOn;
-    return chase(observation, memory, stroke, decision);
+    return chase(observation, memory, stroke, others, decision);
 }
 
 void ChaseBall::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {
@@ -251,7 +275,10 @@ void ChaseBall::decide(const Observation& observation, std::span<std::byte> byte
     if (memory.self.known != 0) {
         memory.ball.update(observation, memory.motion, memory.self);
         WallStroke* const stroke = options_.stroke ? &as<WallStroke>(bytes.subspan(sizeof(Memory))) : nullptr;
-        decision.command = play(observation, memory, stroke, decision);
+        std::vector<Point> others;
+        for (const SeenBody& seen : observation.robots())
+            others.push_back(Placement(memory.self.at(seen.measured, memory.motion)).place(seen.position_B));
+        decision.command = play(observation, memory, stroke, others, decision);
         annotate(memory, decision);
     }
     memory.motion.issue(*decision.command);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "behaviour/back_off.h"
@@ -20,7 +21,7 @@ struct DriveLimits;
 /// Goes behind the ball as seen from a target, then through it towards the target, and kicks where it has something to
 /// kick with. Along walls it pushes the ball as they let it, or strikes it off them (WallStroke); it turns it out of
 /// corners if it has a ball guide, and leaves it to others if not. Remembers and predicts the ball; searches where it
-/// has lost it; gives way to other robots, mildly; backs off where it does not get on.
+/// has lost it; drives round other robots, but for those at the ball; backs off where it does not get on.
 class ChaseBall final : public Controller {
 public:
     struct Options {
@@ -32,6 +33,7 @@ public:
         double front = 0.19;       ///< m, of the own front, from the reference point
         double halfWidth = 0.2;    ///< m, of the robot
         bool guide = false;        ///< it has horns beside its front, between which a ball comes along when it turns
+        bool yields = true;        ///< it waits aside while another robot is at a ball at a wall
         double deadTime = 0.3;     ///< s, by which the robot answers late
         std::optional<WallStroke::Options> stroke = {};  ///< how it gets a ball off a wall; without, it pushes
         /// Without them it takes no heed of walls.
@@ -78,14 +80,17 @@ public:
 
     const Options& options() const { return options_; }
     Situation situation(const Memory& memory) const;
+    // `others`: where robots are, in the world's frame, as far as is known.
+
     /// What it does about the ball. `stroke`: what it remembers of that, where its options have one; otherwise null.
-    Command play(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const;
+    Command play(const Observation& observation, Memory& memory, WallStroke* stroke, std::span<const Point> others,
+                 Decision& decision) const;
     /// What gets the robot off where it does not get on; nullopt: it does.
     std::optional<Command> backOff(const Observation& observation, Memory& memory) const;
     /// Looks for a ball of which nothing is known.
     Command search(const Observation& observation, Memory& memory) const;
     /// Goes to a place and looks from there at something.
-    Command standBy(const Point& place, const Point& watched, const Observation& observation, Memory& memory) const;
+    Command standBy(const Point& place, const Point& watched, Memory& memory, std::span<const Point> others) const;
     void explain(const Memory& memory, std::vector<MemoryEntry>& entries) const;
 
     std::size_t memorySize() const override;
@@ -94,11 +99,13 @@ public:
 
 private:
     DriveLimits limits() const;
-    Command chase(const Observation& observation, Memory& memory, WallStroke* stroke, Decision& decision) const;
+    Command chase(const Observation& observation, Memory& memory, WallStroke* stroke, std::span<const Point> others,
+                  Decision& decision) const;
+    Command goTo(const Point& place, const Pose& from, std::span<const Point> others) const;
     Command sweep(const Memory& memory) const;
-    Command wait(const Situation& now, const Observation& observation, Memory& memory) const;
+    Command wait(const Situation& now, Memory& memory, std::span<const Point> others) const;
     Point aim(const Situation& now, Memory& memory) const;
-    bool mustWait(const Situation& now, const Observation& observation, const Memory& memory) const;
+    bool mustWait(const Situation& now, std::span<const Point> others) const;
     std::optional<Command> strike(const Situation& now, const Observation& observation, Memory& memory,
                                   WallStroke& stroke) const;
     bool beginsSweeping(const Situation& now, const Observation& observation, Memory& memory) const;

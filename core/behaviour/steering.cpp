@@ -14,6 +14,7 @@ constexpr double alignWithin = 1;       // m
 constexpr double clearance = 0.65;      // m, between reference points that pass each other
 constexpr double nearlyStraight = 0.1;  // m: bodies up to so far on the right are passed on their left
 constexpr double touching = 0.45;       // m
+constexpr double evadeWithin = 1.5;     // m
 
 /// Slower where the limit of rotation would not let it turn as it must.
 Command limited(double v, double w, const DriveLimits& limits) {
@@ -59,9 +60,9 @@ double clearHeading(double wanted, double far, const std::function<double(double
     return best;
 }
 
-Evasion evade(std::span<const SeenBody> bodies, const MotionMemory& motion, double deadTime, double reach) {
+Evasion evade(std::span<const SeenBody> bodies, const MotionMemory& motion, double deadTime) {
     Evasion evasion;
-    double nearest = reach;
+    double nearest = evadeWithin;
     for (const SeenBody& body : bodies) {
         const Placement frame(motion.motionSince(body.measured) * motion.motionDuring(deadTime));
         const Point at = frame.placeBack(body.position_B);

@@ -33,9 +33,9 @@ struct Evasion {
     double turn = 0;   ///< rad, to the left: what it takes to pass it at some distance; 0: nothing is in the way
     double share = 1;  ///< of the intended speed
 };
-/// For bodies within `reach` metres before the robot as it will be in `deadTime` seconds. Robots that meet head on keep
+/// For bodies within 1.5 m before the robot as it will be in `deadTime` seconds. Robots that meet head on keep
 /// to the right.
-Evasion evade(std::span<const SeenBody> bodies, const MotionMemory& motion, double deadTime, double reach = 1.5);
+Evasion evade(std::span<const SeenBody> bodies, const MotionMemory& motion, double deadTime);
 
 /// A command with the evasion in it.
 Command evading(const Command& intended, const Evasion& evasion, const DriveLimits& limits);

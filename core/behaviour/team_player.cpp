@@ -110,10 +110,10 @@ double TeamPlayer::costOf(const Memory& memory) const {
 }
 
 /// What its own going costs, and who goes.
-void TeamPlayer::bid(const Observation& observation, std::size_t place, Memory& memory) const {
+void TeamPlayer::bid(const Observation& observation, std::size_t place, std::span<const Point> others,
+                     Memory& memory) const {
     if (memory.chase.ball.known != 0) {
         const ChaseBall::Situation now = chase_.situation(memory.chase);
-        const std::vector<Point> bodies = othersOnTheFloor(observation, place, memory);
         const BackOff& off = memory.chase.backOff;
         const double stuck = std::max(off.hardlyMoving, toSeconds(off.until - observation.time));
         memory.way = WayToBall({.robot = now.robot,
@@ -126,7 +126,7 @@ void TeamPlayer::bid(const Observation& observation, std::size_t place, Memory& 
                                 .walls = options_.chase.walls.get(),
                                 .ballRadius = options_.chase.ballRadius,
                                 .stuck = stuck,
-                                .bodies = bodies});
+                                .bodies = others});
     }
     memory.cost = costOf(memory);
     const bool went = memory.role == TeamWord::goes;
@@ -192,20 +192,23 @@ Point TeamPlayer::supportingPlace(std::size_t place, const Memory& memory) const
     const SupportingPlace& wanted = supportingPlaces[std::min(rank, supportingPlaces.size() - 1)];
     // Those beside are on the side on which there is more of the field.
     const double side = cross(home, options_.chase.target - options_.ownGoal) * home.x < 0 ? -1 : 1;
-    const Point way = Placement({0, 0, side * wanted.turned}).rotate(home);
     const double room = options_.chase.halfWidth + 0.1;
-    const double free = options_.chase.walls->freeWay(ball, way, room, wanted.far);
-    return ball + free * way;
+    const auto way = [&](double turned) { return Placement({0, 0, turned}).rotate(home); };
+    const auto free = [&](double turned) { return options_.chase.walls->freeWay(ball, way(turned), room, wanted.far); };
+    // Beside a wall another way: at the ball it would be in the way itself.
+    const double turned = clearHeading(side * wanted.turned, wanted.far, free);
+    return ball + free(turned) * way(turned);
 }
 
-Command TeamPlayer::support(const Observation& observation, std::size_t place, Memory& memory) const {
+Command TeamPlayer::support(const Observation& observation, std::size_t place, std::span<const Point> others,
+                            Memory& memory) const {
     if (const std::optional<Command> back = chase_.backOff(observation, memory.chase)) {
         memory.chase.phase = ChaseBall::backingOff;
         return *back;
     }
     if (memory.chase.ball.known == 0 && !options_.keeper) return chase_.search(observation, memory.chase);
     memory.chase.phase = ChaseBall::waiting;
-    return chase_.standBy(supportingPlace(place, memory), memory.chase.ball.position, observation, memory.chase);
+    return chase_.standBy(supportingPlace(place, memory), memory.chase.ball.position, memory.chase, others);
 }
 
 void TeamPlayer::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {
@@ -219,11 +222,12 @@ void TeamPlayer::decide(const Observation& observation, std::span<std::byte> byt
     if (chase.self.known != 0) {
         memory.sighted.update(observation, chase.motion, chase.self);
         chase.ball = memory.team.ball(memory.sighted, chase.self, observation.time);
-        bid(observation, place, memory);
+        const std::vector<Point> others = othersOnTheFloor(observation, place, memory);
+        bid(observation, place, others, memory);
         tell(observation, place, memory, decision);
         WallStroke* const stroke = options_.chase.stroke ? &memory.stroke : nullptr;
-        decision.command = memory.role == TeamWord::goes ? chase_.play(observation, chase, stroke, decision)
-                                                         : support(observation, place, memory);
+        decision.command = memory.role == TeamWord::goes ? chase_.play(observation, chase, stroke, others, decision)
+                                                         : support(observation, place, others, memory);
         annotate(memory, decision);
     }
     chase.motion.issue(*decision.command);

@@ -52,12 +52,13 @@ private:
     std::size_t placeOf(std::uint32_t robot) const;
     void listen(const Observation& observation, Memory& memory) const;
     double costOf(const Memory& memory) const;
-    void bid(const Observation& observation, std::size_t place, Memory& memory) const;
+    void bid(const Observation& observation, std::size_t place, std::span<const Point> others, Memory& memory) const;
     void tell(const Observation& observation, std::size_t place, const Memory& memory, Decision& decision) const;
     Point placeOfSeen(const SeenBody& seen, const Memory& memory) const;
     std::vector<Point> othersOnTheFloor(const Observation& observation, std::size_t place, const Memory& memory) const;
     Point supportingPlace(std::size_t place, const Memory& memory) const;
-    Command support(const Observation& observation, std::size_t place, Memory& memory) const;
+    Command support(const Observation& observation, std::size_t place, std::span<const Point> others,
+                    Memory& memory) const;
     void annotate(const Memory& memory, Decision& decision) const;
     std::string nameOfGoer(const Memory& memory) const;
 

@@ -4,6 +4,7 @@
 
 #include "io/format.h"
 #include "report/mean_figure.h"
+#include "report/measure_label.h"
 
 namespace mrose {
 namespace {
@@ -23,15 +24,18 @@ std::string numberOf(double value) {
                                                             : 5);
 }
 
+/// As people read it.
+std::string labelOf(std::string_view name, bool share) { return share ? cat(name, " (%)") : measureLabel(name); }
+
 /// Of a measure of that place in all variants; a share where it is one in all.
 struct Column {
-    std::string name;
+    std::string label;
     bool share = true;
     std::vector<NamedMean> means;
 };
 
 Column columnOf(const ExperimentSummary& summary, std::size_t place) {
-    Column column{summary.variants.front().measures[place].name.substr(ofMeasures.size()), true, {}};
+    Column column;
     for (const VariantSummary& variant : summary.variants)
         column.share = column.share && (variant.measures[place].share || variant.measures[place].count == 0);
     for (const VariantSummary& variant : summary.variants) {
@@ -39,12 +43,13 @@ Column columnOf(const ExperimentSummary& summary, std::size_t place) {
         if (column.share) mean = {100 * mean.value, 100 * mean.low, 100 * mean.high};
         column.means.push_back({variant.name, mean});
     }
+    column.label = labelOf(summary.variants.front().measures[place].name.substr(ofMeasures.size()), column.share);
     return column;
 }
 
 std::string meansTable(const ExperimentSummary& summary, const std::vector<Column>& columns) {
     std::vector<std::string> heads{""};
-    for (const Column& column : columns) heads.push_back(escaped(column.name) + (column.share ? " (%)" : ""));
+    for (const Column& column : columns) heads.push_back(escaped(column.label));
     for (const char* const head : {"runs", "ended", "faults"}) heads.emplace_back(head);
     HtmlTable table({{"", heads}});
     for (std::size_t v = 0; v < summary.variants.size(); ++v) {
@@ -70,7 +75,7 @@ std::string spreadTable(const VariantSummary& all) {
     for (const MeasureSummary& measure : all.measures) {
         const double factor = factorOf(measure);
         const auto number = [&](double value) { return measure.count > 0 ? numberOf(factor * value) : ""; };
-        table.row({cat(escaped(measure.name), measure.share ? " (%)" : ""), number(measure.mean),
+        table.row({escaped(labelOf(measure.name, measure.share)), number(measure.mean),
                    cat(number(measure.estimate.low), " to ", number(measure.estimate.high)), number(measure.deviation),
                    number(measure.least), number(measure.most), std::to_string(measure.count)});
     }
@@ -94,7 +99,7 @@ std::string experimentReport(const Experiment& experiment, const ExperimentSumma
     if (summary.variants.size() > 1) {
         body += heading("What it comes to");
         for (const Column& column : columns)
-            body += card(escaped(column.name), meanFigure(column.means, column.name + (column.share ? " (%)" : "")));
+            body += card(escaped(column.label), meanFigure(column.means, column.label));
         body += tableCard(meansTable(summary, columns));
     } else {
         body += cat(heading("What it comes to"), tableCard(spreadTable(summary.variants.front())));

@@ -41,8 +41,9 @@ std::string pageHead(std::string_view title, std::string_view subtitle, const Pa
                      const ReportContext& context, const std::vector<std::string>& notices) {
     const char* const badge = source.synthetic ? "<span class=\"badge\">synthetic data</span>" : "";
     const std::string program = context.program.empty() ? "" : cat(" · ", escaped(context.program));
-    std::string text = element("h1", "", cat(title, badge)) +
-                       element("p", "sub", cat(subtitle, ", log <code>", escaped(source.log), "</code>", program));
+    std::string text =
+        element("h1", "", cat(title, badge)) +
+        element("p", "sub", cat(subtitle, ", ", source.kind, " <code>", escaped(source.log), "</code>", program));
     for (const std::string& notice : notices) text += element("p", "notice", escaped(notice));
     return text;
 }

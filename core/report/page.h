@@ -36,6 +36,7 @@ std::string reportPage(std::string_view title, std::string_view body);
 struct PageSource {
     std::string_view log;
     bool synthetic = false;
+    std::string_view kind = "log";
 };
 /// Title, a line below it, and sentences (plain text) that must be read before the numbers.
 std::string pageHead(std::string_view title, std::string_view subtitle, const PageSource& source,

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "drawing/svg_plot.h"
 #include "io/format.h"
 #include "report/legend.h"
 #include "report/mean_figure.h"
+#include "report/measure_label.h"
 
 namespace mrose {
 namespace {
@@ -40,7 +44,41 @@ double meanInput(const TaskData& data, std::size_t input, std::span<const std::s
     return sum / static_cast<double>(rows.size());
 }
 
+/// Rows in order of an input; none where it is the same in all, or there are too few.
+std::vector<std::size_t> ordered(const TaskData& data, std::size_t input) {
+    std::vector<std::size_t> order(data.rows());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](std::size_t row) { return data.inputsOf(row)[input]; });
+    if (data.rows() < tenths || data.inputsOf(order.front())[input] == data.inputsOf(order.back())[input]) return {};
+    return order;
+}
+
+/// By how much the mean errors of the tenths differ.
+double differenceAlong(const TaskJudgement& judgement, std::size_t input) {
+    const TaskData& data = judgement.heldOut;
+    const std::vector<std::size_t> order = ordered(data, input);
+    if (order.empty()) return -1;
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (std::size_t tenth = 0; tenth < tenths; ++tenth) {
+        const double error = meanError(data, judgement.predictors.front().predicted, tenthOf(order, tenth));
+        least = std::min(least, error);
+        most = std::max(most, error);
+    }
+    return most - least;
+}
+
 }  // namespace
+
+std::vector<std::size_t> inputsByError(const TaskJudgement& judgement) {
+    std::vector<std::pair<double, std::size_t>> inputs;
+    for (std::size_t i = 0; i < judgement.heldOut.inputs.size(); ++i)
+        if (const double difference = differenceAlong(judgement, i); difference >= 0)
+            inputs.emplace_back(difference, i);
+    std::ranges::stable_sort(inputs, std::greater(), [](const auto& input) { return input.first; });
+    std::vector<std::size_t> order;
+    for (const auto& input : inputs) order.push_back(input.second);
+    return order;
+}
 
 std::string predictionFigure(const TaskJudgement& judgement, std::size_t output) {
     const TaskData& data = judgement.heldOut;
@@ -56,7 +94,7 @@ std::string predictionFigure(const TaskJudgement& judgement, std::size_t output)
     }
     const PlotRange range = usable({least, most});
     SvgPlot plot({.width = 440, .height = 420}, range, range, "Predicted against simulated, held out");
-    plot.axes(cat(data.target, " as simulated"), cat(data.target, " as predicted"));
+    plot.axes(cat(measureLabel(data.target), ", simulated"), cat(measureLabel(data.target), ", predicted"));
     const Point diagonal[] = {{range.low, range.low}, {range.high, range.high}};
     plot.line(diagonal, "floorline");
     for (const Point& dot : dots) plot.circle(dot, 2.2, "sample");
@@ -65,10 +103,8 @@ std::string predictionFigure(const TaskJudgement& judgement, std::size_t output)
 
 std::string inputErrorFigure(const TaskJudgement& judgement, std::size_t input) {
     const TaskData& data = judgement.heldOut;
-    std::vector<std::size_t> order(data.rows());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, {}, [&](std::size_t row) { return data.inputsOf(row)[input]; });
-    if (data.rows() < tenths || data.inputsOf(order.front())[input] == data.inputsOf(order.back())[input]) return {};
+    const std::vector<std::size_t> order = ordered(data, input);
+    if (order.empty()) return {};
     std::vector<std::vector<Point>> lines(shownPredictors(judgement));
     PlotRange x{meanInput(data, input, tenthOf(order, 0)), meanInput(data, input, tenthOf(order, tenths - 1))};
     double most = 0;
@@ -81,7 +117,7 @@ std::string inputErrorFigure(const TaskJudgement& judgement, std::size_t input) 
         }
     SvgPlot plot({.width = 350, .height = 230}, usable(x), {0, 1.1 * most},
                  cat("Mean absolute error against ", data.inputs[input]));
-    plot.axes(data.inputs[input], "mean |error|");
+    plot.axes(data.inputs[input], cat("mean |error| of ", measureLabel(data.target)));
     for (std::size_t k = lines.size(); k-- > 0;) plot.line(lines[k], seriesClass(k));
     return plot.text();
 }
@@ -100,7 +136,7 @@ std::string choiceFigure(const TaskJudgement& judgement) {
     for (const VariantChoice::Variant& variant : choice.variants) rows.push_back({variant.name, alone(variant.mean)});
     rows.push_back({"chosen as learned", alone(choice.mean), "realmark"});
     if (choice.oracle) rows.push_back({"best of each trial", alone(choice.oracle->mean)});
-    return meanFigure(rows, "mean " + judgement.heldOut.target);
+    return meanFigure(rows, "mean " + measureLabel(judgement.heldOut.target));
 }
 
 }  // namespace mrose

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "tasks/task_judgement.h"
 
@@ -12,6 +13,9 @@ namespace mrose {
 
 /// What was predicted against what it came to, a dot for each row, of `output`.
 std::string predictionFigure(const TaskJudgement& judgement, std::size_t output);
+
+/// Inputs that are not the same in all rows: first those along which the mean errors of tenths of the rows differ most.
+std::vector<std::size_t> inputsByError(const TaskJudgement& judgement);
 
 /// The mean absolute error over tenths of the rows by what an input was, a line for each predictor that was learned or
 /// guessed. Nothing where the input is the same in all rows.

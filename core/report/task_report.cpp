@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* taskFiles[] = {"report.html", "predictions.csv"};
 constexpr std::size_t worstShown = 8;
+constexpr std::size_t inputsShown = 9;
 
 std::string intervalOf(const Interval& interval, double factor, int decimals) {
     return cat(fixedWithMinus(factor * interval.low, decimals), " to ",
@@ -85,13 +86,17 @@ std::string errorSection(const TaskReport& report) {
     for (std::size_t k = 0; k < std::min<std::size_t>(data.outputs(), 6); ++k)
         predictions += card(escaped(data.variants.empty() ? data.target : data.variants[k]),
                             predictionFigure(report.judgement, k));
-    for (std::size_t i = 0; i < data.inputs.size(); ++i)
-        if (const std::string figure = inputErrorFigure(report.judgement, i); !figure.empty())
-            inputs += card(escaped(data.inputs[i]), figure);
+    std::vector<std::size_t> order = inputsByError(report.judgement);
+    const std::size_t all = order.size();
+    order.resize(std::min(all, inputsShown));
+    for (const std::size_t i : order) inputs += card(escaped(data.inputs[i]), inputErrorFigure(report.judgement, i));
     return cat(heading("What it says, and what it came to"),
                paragraph("A dot is a row that is held out; on the dashed diagonal the prediction is right."),
                element("div", "paths", predictions), heading("Where it errs"),
-               paragraph("Mean absolute errors over tenths of the rows, by what each input was."),
+               paragraph(cat("Mean absolute errors over tenths of the rows, by what an input was",
+                             order.size() < all ? cat(": of the ", std::to_string(order.size()), " of ",
+                                                      std::to_string(all), " inputs along which they differ most.")
+                                                : ".")),
                inputErrorLegend(report.judgement), element("div", "paths", inputs));
 }
 
@@ -143,7 +148,7 @@ std::string taskReportHtml(const TaskReport& report, const ReportContext& contex
     return reportPage(
         title,
         cat(pageHead(
-                title, cat("learned of the trials in ", escaped(report.results)), {report.results, true}, context,
+                title, "learned of an experiment", {report.results, true, "trials"}, context,
                 {"All trials are simulated. Nothing here says how true that is of a real robot: mrose validate asks "
                  "that."}),
             taskTiles(report), tableCard(scoreTable(report.judgement)), choiceSection(report), errorSection(report),

@@ -121,7 +121,10 @@ std::shared_ptr<const LearnedSensor> DescriptionLibrary::sensor(TomlTable& table
 
 std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& table, std::string_view key,
                                                                   const std::string& from) {
-    const Value::File file = this->file(table, key, from, "nets", Holds::text);
+    return mapping(table, this->file(table, key, from, "nets", Holds::text));
+}
+
+std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& table, const Value::File& file) {
     if (!file) return nullptr;
     std::shared_ptr<const LearnedMapping>& mapping = mappings_[file];
     if (!mapping) {
@@ -136,10 +139,11 @@ std::shared_ptr<const LearnedMapping> DescriptionLibrary::mapping(TomlTable& tab
                                                                   const std::string& from,
                                                                   std::initializer_list<const char*> inputs,
                                                                   std::initializer_list<const char*> outputs) {
-    std::shared_ptr<const LearnedMapping> found = mapping(table, key, from);
+    const Value::File file = this->file(table, key, from, "nets", Holds::text);
+    std::shared_ptr<const LearnedMapping> found = mapping(table, file);
     if (!found) return nullptr;
     const std::string cause = mismatch(*found, inputs, outputs);
-    if (!cause.empty()) return table.reject(key, shown(table.value(key)->asFile()->name) + ' ' + cause), nullptr;
+    if (!cause.empty()) return table.reject(key, shown(file->name) + ' ' + cause), nullptr;
     return found;
 }
 

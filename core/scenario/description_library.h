@@ -60,6 +60,7 @@ public:
 private:
     /// Null: there is none of that name.
     Expected<Value::File> open(const std::string& name, const std::string& reference, Holds holds);
+    std::shared_ptr<const LearnedMapping> mapping(TomlTable& table, const Value::File& file);
 
     DescriptionSource& source_;
     std::map<std::pair<std::string, Holds>, Value::File> files_;

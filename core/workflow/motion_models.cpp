@@ -8,13 +8,11 @@
 namespace mrose {
 namespace {
 
-std::filesystem::path shippedNetworks() { return resourceFolder() / "nets"; }
-
 /// Network files that ship, by name.
 std::vector<std::filesystem::path> networksThatShip() {
     std::vector<std::filesystem::path> files;
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(shippedNetworks(), ignored))
+    for (const auto& entry : std::filesystem::directory_iterator(resourceFolder() / "nets", ignored))
         if (entry.path().extension() == ".net") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
@@ -44,10 +42,7 @@ void addNetwork(const std::filesystem::path& file, MotionNetwork network, const 
 Expected<std::vector<OtherModel>> modelsToTry(const LogWorld& world, const std::vector<std::string>& networks) {
     std::vector<OtherModel> models;
     for (const std::string& named : networks) {
-        std::error_code ignored;
-        const bool there = std::filesystem::exists(named, ignored);
-        const auto shipped = shippedNetworks() / named;
-        const auto file = !there && std::filesystem::exists(shipped, ignored) ? shipped : std::filesystem::path(named);
+        const std::filesystem::path file = placeOfNetwork(named);
         auto network = loadNetwork(file);
         if (!network) return tl::unexpected(network.error());
         addNetwork(file, std::move(*network), world, models);

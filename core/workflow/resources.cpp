@@ -57,6 +57,13 @@ Expected<std::string> existingLog(const std::string& name) {
     return fail(name, "does not exist" + sought);
 }
 
+std::string placeOfNetwork(const std::string& name) {
+    std::error_code ignored;
+    const std::filesystem::path shipped = resourceFolder() / "nets" / name;
+    return !std::filesystem::exists(name, ignored) && std::filesystem::exists(shipped, ignored) ? shipped.string()
+                                                                                                : name;
+}
+
 Expected<void> checkRobotFile(const std::string& name) {
     DiskDescriptions source = openDescriptions();
     const std::string shipped = joinedName(std::string(shippedPrefix) + "resources/robots/", name);

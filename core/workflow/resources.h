@@ -22,6 +22,10 @@ std::string placeOfLog(const std::string& name);
 /// Likewise. Error: there is none; says where it was looked for.
 Expected<std::string> existingLog(const std::string& name);
 
+/// Where a network file of that name is: as it is named, or among those that ship; as it is named, too, where it is
+/// nowhere.
+std::string placeOfNetwork(const std::string& name);
+
 /// That there is a robot file of that name, as given or among those that ship, where --robot names it: errors would
 /// name what is made from it otherwise.
 Expected<void> checkRobotFile(const std::string& name);

@@ -12,7 +12,10 @@ palette="+dither -colors 255 -strip"
 (
     cd "$work"
     "$programs/mrose-gui" --offscreen ball_off_the_wall.toml --trial 8 --size 1000x700 --script "$here/../paper/figure3.lua"
-    convert figure3a.png figure3b.png figure3c.png figure3d.png +append -resize 1400x $palette "PNG8:$out/ball_off_the_wall.png"
+    for letter in a b c d; do
+        convert figure3$letter.png -gravity NorthWest -pointsize 34 -fill '#333333' -annotate +16+10 $letter frame_$letter.png
+    done
+    convert frame_a.png frame_b.png frame_c.png frame_d.png +append -resize 1400x $palette "PNG8:$out/ball_off_the_wall.png"
     "$programs/mrose-gui" --offscreen planner_choice_validation.toml --trial 3042 --variant 'chosen in simulator' --size 1100x720 \
         --script "$here/navigation.lua"
     convert navigation.png $palette "PNG8:$out/navigation.png"

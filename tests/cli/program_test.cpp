@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/motion_network.h"
+#include "support/places.h"
 #include "support/workshop.h"
 
 namespace mrose {
@@ -228,6 +229,22 @@ TEST_F(Program, LogsAreFoundByNameInTheFolderOfData) {
     onto.back() = path("mrclam/named.csv");
     onto.emplace_back("--overwrite");
     expectOneLine(runWithData(path(""), onto), {"is read by this command"});
+}
+
+TEST_F(Program, NetworksThatShipAreFoundByTheirNames) {
+    const std::string pioneer = (sourceFolder() / "resources/logs/pioneer").string();
+    const auto evaluated = [&](const std::string& network) {
+        return runMrose({"evaluate", network, "--log", pioneer, "--no-floor", "--json"});
+    };
+    const auto saidOf = [&](const std::string& network) {
+        const ProgramResult result = evaluated(network);
+        EXPECT_EQ(result.status, 0) << result.err;
+        auto json = nlohmann::json::parse(result.out);
+        json.erase("command_line");
+        return json;
+    };
+    EXPECT_EQ(saidOf("pioneer.net"), saidOf((sourceFolder() / "nets/pioneer.net").string()));
+    expectOneLine(evaluated("pioneers.net"), {"pioneers.net", "cannot be read"}, 1);
 }
 
 TEST_F(Program, RobotNamedTwiceIsOneRobot) {

@@ -82,6 +82,17 @@ TEST(ShippedScripts, RecordedGameIsPictured) {
         EXPECT_EQ(QImage((folder.path() / name).c_str()).size(), QSize(1280, 800)) << name;
 }
 
+/// As resources/paper/repeat does.
+TEST(ShippedScripts, FiguresOfTheStrokeAtTheWallCanBeMade) {
+    const TemporaryFolder folder;
+    const ProgramResult result = runShell({"-C", folder.path().string()},
+                                          {windowProgram(), "--offscreen", "ball_off_the_wall.toml", "--trial", "8",
+                                           "--script", (sourceFolder() / "resources/paper/figure3.lua").string()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    for (const char* name : {"figure3a.png", "figure3b.png", "figure3c.png", "figure3d.png"})
+        EXPECT_GT(QImage((folder.path() / name).c_str()).width(), 300) << name;
+}
+
 TEST(ShippedScripts, RealLogIsPictured) {
     const TemporaryFolder folder;
     const ProgramResult result =

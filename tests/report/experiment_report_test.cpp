@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "report/measure_label.h"
 #include "support/markup.h"
 
 namespace mrose {
@@ -54,6 +55,13 @@ TEST(ExperimentReport, VariantsStandBesideEachOtherInTableAndPictures) {
           "23.46 <small>22.46 to 25.46</small>", "25.00 <small>15.00 to 35.00</small>", "done (%)"})
         EXPECT_THAT(html, HasSubstr(text));
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 2u) << "one for each measure, none for what was asked";
+}
+
+TEST(MeasureLabel, UnitsAreWhatTheNameEndsIn) {
+    EXPECT_EQ(measureLabel("time_s"), "time (s)");
+    EXPECT_EQ(measureLabel("none_percent"), "none (%)");
+    EXPECT_EQ(measureLabel("turned_in_all_deg"), "turned_in_all (°)");
+    for (const char* const plain : {"goals", "so_many", "_s", "s", "", "times_"}) EXPECT_EQ(measureLabel(plain), plain);
 }
 
 TEST(ExperimentReport, WithoutVariantsItSaysHowMeasuresSpread) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "io/format.h"
+#include "report/task_figures.h"
 #include "support/markup.h"
 #include "tasks/task_learning.h"
 #include "world/noise.h"
@@ -72,6 +73,30 @@ TEST_F(TaskReportTest, HoldsTheFiguresAndThePictures) {
     // the choice, two outputs, and the one input that is not always the same
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 4u);
     EXPECT_EQ(countOf(html, "--trial"), 8u) << "the trials predicted worst";
+}
+
+TEST_F(TaskReportTest, OfManyInputsThoseAreDrawnAlongWhichErrorsDiffer) {
+    TaskJudgement judgement = judgement_;
+    TaskData& held = judgement.heldOut;
+    const std::size_t rows = held.rows(), inputs = 30;
+    // Errors grow along input 7; all others are in no order.
+    held.inputs.clear();
+    held.x.clear();
+    for (std::size_t i = 0; i < inputs; ++i) held.inputs.push_back("input " + std::to_string(i));
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t i = 0; i < inputs; ++i)
+            held.x.push_back(i == 7
+                                 ? static_cast<double>(row)
+                                 : uniformNoise({3, static_cast<std::int64_t>(row), static_cast<std::uint32_t>(i), 0}));
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t o = 0; o < 2; ++o)
+            judgement.predictors[0].predicted[2 * row + o] = held.y[2 * row + o] + 0.01 * static_cast<double>(row);
+    const std::vector<std::size_t> order = inputsByError(judgement);
+    ASSERT_EQ(order.size(), inputs);
+    EXPECT_EQ(order.front(), 7u);
+    const std::string html = taskReportHtml({"r.csv", "t.net", network_, held, judgement}, context_);
+    EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 3u + 9u);
+    EXPECT_THAT(html, HasSubstr("the 9 of 30 inputs"));
 }
 
 TEST_F(TaskReportTest, PredictionsAreOfAllThatIsHeldOut) {

@@ -1,8 +1,11 @@
 // Each kind of mistake in a scenario is one line that says where and what was expected.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/file.h"
 #include "scenario/descriptions.h"
+#include "support/places.h"
 
 namespace mrose {
 namespace {
@@ -182,6 +185,20 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
         withController("{ kind = \"team_player\", target_m = [1, 2], choose = \"time\", time = \"n.net\" }");
     EXPECT_TRUE(motion.starts_with("n.net:") && motion.find("\"motion\"; expected one of \"task\"") != motion.npos)
         << motion;
+}
+
+TEST(ScenarioErrors, TaskNetworksOfOtherNamesAreRefused) {
+    auto texts =
+        changedWorld("s.toml", "{ kind = \"wander\", speed_mps = 0.2, rotation_degps = 45, change_every_s = 1 }",
+                     "{ kind = \"team_player\", target_m = [1, 2], choose = \"time\", time = \"t.net\" }");
+    const auto other = readFile(sourceFolder() / "nets/planner_choice.net");
+    ASSERT_TRUE(other) << other.error().message();
+    texts["t.net"] = *other;
+    const auto loaded = loadFrom(texts);
+    ASSERT_FALSE(loaded);
+    EXPECT_THAT(loaded.error().message(), testing::StartsWith("s.toml:22:"));
+    EXPECT_THAT(loaded.error().message(), testing::HasSubstr("robot[\"two\"].controller.time: t.net maps "));
+    EXPECT_THAT(loaded.error().message(), testing::HasSubstr("; expected distance round bearing"));
 }
 
 TEST(ScenarioErrors, DynamicWindowNeedsASensorThatFindsObstacles) {
