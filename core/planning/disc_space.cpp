@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace mrose {
 namespace {
@@ -12,6 +13,14 @@ constexpr double freedWithin = 4;  // radii
 constexpr int freedBearings = 48, freedRings = 40;
 
 }  // namespace
+
+DiscSpace DiscSpace::with(std::span<const ConvexPiece> more) const {
+    std::vector<ConvexPiece> pieces;
+    pieces.reserve(pieces_.size() + more.size());
+    pieces.insert(pieces.end(), pieces_.begin(), pieces_.end());
+    pieces.insert(pieces.end(), more.begin(), more.end());
+    return {std::move(pieces), radius_};
+}
 
 double DiscSpace::distance(const Point& place, double most) const {
     for (const ConvexPiece& piece : pieces_)

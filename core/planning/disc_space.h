@@ -17,6 +17,9 @@ public:
 
     DiscSpace(std::vector<ConvexPiece> pieces, double radius) : pieces_(std::move(pieces)), radius_(radius) {}
 
+    /// With further pieces behind its own.
+    DiscSpace with(std::span<const ConvexPiece> more) const;
+
     std::span<const ConvexPiece> pieces() const { return pieces_; }
     double radius() const { return radius_; }
 

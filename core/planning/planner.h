@@ -2,8 +2,10 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
+#include "planning/round_corners.h"
 #include "planning/voronoi_roadmap.h"
 
 namespace mrose {
@@ -15,6 +17,8 @@ constexpr std::array<std::string_view, 4> plannerNames{"potential_field", "visib
 class PathFinder {
 public:
     PathFinder(Planner planner, DiscSpace space);
+    /// The same planner in that space with `more` pieces behind its own.
+    PathFinder(const PathFinder& finder, std::span<const ConvexPiece> more);
 
     Planner planner() const { return planner_; }
     const DiscSpace& space() const { return space_; }
@@ -24,6 +28,7 @@ private:
     Planner planner_;
     DiscSpace space_;
     std::optional<VoronoiRoadmap> roadmap_;
+    std::optional<RoundCorners> corners_;  ///< of the visibility graph
 };
 
 }  // namespace mrose

@@ -114,12 +114,6 @@ void goAside(const PlanRequest& request, const Conflict& conflict, Plan& plan) {
     }
 }
 
-DiscSpace withDiscs(const DiscSpace& space, const std::vector<Point>& centres, double radius) {
-    std::vector<ConvexPiece> pieces(space.pieces().begin(), space.pieces().end());
-    for (const Point& centre : centres) pieces.push_back(ConvexPiece::circle(centre, radius));
-    return {std::move(pieces), space.radius()};
-}
-
 /// Where the other one is during a conflict, or only now.
 std::vector<Point> placesOf(const TimedPath& other, const Conflict& conflict, bool now, double begin) {
     if (now) return {other.at(begin)};
@@ -146,7 +140,9 @@ void goRound(const PlanRequest& request, Conflict conflict, std::size_t with, bo
                 distance(place, request.goal) > request.separation && std::ranges::none_of(discs, near(place)))
                 discs.push_back(place);
         if (discs.empty()) return;
-        const PathFinder round(request.finder.planner(), withDiscs(request.finder.space(), discs, radius));
+        std::vector<ConvexPiece> pieces;
+        for (const Point& disc : discs) pieces.push_back(ConvexPiece::circle(disc, radius));
+        const PathFinder round(request.finder, pieces);
         std::vector<Point> points = plannedPoints(round, request.start, request.goal);
         if (points.empty()) return;
         plan.points = std::move(points);

@@ -5,27 +5,12 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 
 namespace mrose {
 namespace {
 
-constexpr double withinRange = 1e-9;  // of an arc's end, by which a tangent's point may be beyond it
 constexpr double sameDirection = 1e-7;
-
-/// What a shortest way can bend round: a grown corner of a polygon or a grown circle.
-struct RoundCorner {
-    Point centre;
-    double radius = 0;
-    Point first, last;  ///< its outward normals, length 1, go counter-clockwise from here to there
-    bool full = false;  ///< a circle: all directions
-    std::size_t piece = 0;
-    std::vector<std::size_t> near;  ///< other pieces whose growth may cut it
-
-    bool has(const Point& normal) const {
-        return full || (cross(first, normal) > -withinRange && cross(normal, last) > -withinRange);
-    }
-    Point at(const Point& normal) const { return centre + radius * normal; }
-};
 
 /// A straight way that touches the corner it comes from and the one it leads to. Start and goal are corners, too: of
 /// radius 0.
@@ -58,7 +43,8 @@ std::optional<double> angleRound(const RoundCorner& corner, const Point& from, c
 
 class TangentSearch {
 public:
-    TangentSearch(const DiscSpace& space, const Point& start, const Point& goal) : space_(space) {
+    TangentSearch(const DiscSpace& space, std::span<const RoundCorner> corners, const Point& start, const Point& goal)
+        : space_(space), corners_(corners), passings_(2 * corners.size()) {
         start_.centre = start;
         goal_.centre = goal;
         start_.full = goal_.full = true;
@@ -66,7 +52,6 @@ public:
 
     std::optional<std::vector<PathPart>> parts() {
         if (space_.free(start_.centre, goal_.centre)) return std::vector<PathPart>{{start_.centre, goal_.centre}};
-        makeCorners();
         leave(none);
         while (!open_.empty()) {
             std::pop_heap(open_.begin(), open_.end(), later);
@@ -107,8 +92,6 @@ private:
         return a > b;
     }
 
-    void makeCorners();
-    void add(RoundCorner corner);
     bool cut(const RoundCorner& corner, const Point& from, double angle, int sense) const;
     Passing& passing(std::size_t corner, int sense) { return passings_[2 * corner + (sense > 0 ? 0 : 1)]; }
     void findExits(const RoundCorner& from, int fromSense, std::size_t number, std::vector<Exit>& exits) const;
@@ -119,43 +102,13 @@ private:
     std::vector<PathPart> partsTo(std::size_t at) const;
 
     const DiscSpace& space_;
+    std::span<const RoundCorner> corners_;
     RoundCorner start_, goal_;
-    std::vector<RoundCorner> corners_;
     std::vector<Exit> starts_;       ///< exits of the start
     std::vector<Passing> passings_;  ///< by corner and sense
     std::vector<Node> nodes_;
     std::vector<std::pair<double, std::size_t>> open_;  ///< heap: length and straight rest, node
 };
-
-void TangentSearch::makeCorners() {
-    const auto pieces = space_.pieces();
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const ConvexPiece& piece = pieces[i];
-        for (std::size_t k = 0; k < piece.count; ++k)
-            add({.centre = piece.corners[k],
-                 .radius = piece.radius + space_.radius(),
-                 .first = piece.normals[(k + piece.count - 1) % piece.count],
-                 .last = piece.normals[k],
-                 .full = piece.isCircle(),
-                 .piece = i});
-    }
-    passings_.resize(2 * corners_.size());
-}
-
-/// Without those that lie within another piece: nothing of their growth is free.
-void TangentSearch::add(RoundCorner corner) {
-    const auto pieces = space_.pieces();
-    const double reach = corner.radius + space_.radius();
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const Point line = pieces[i].centre - corner.centre;
-        const double within = pieces[i].reach + reach;
-        if (i == corner.piece || dot(line, line) >= within * within) continue;
-        const double far = nearestPoint(pieces[i], corner.centre).distance;
-        if (far < -DiscSpace::slack && !corner.full) return;
-        if (far < reach) corner.near.push_back(i);
-    }
-    corners_.push_back(std::move(corner));
-}
 
 /// Whether the arc enters the growth of another piece. It is nearest to one at an end, which is free, or where its
 /// normal points at a corner, is opposite to an edge's, or, deep within, points at its middle.
@@ -264,14 +217,18 @@ std::vector<PathPart> TangentSearch::partsTo(std::size_t at) const {
 
 }  // namespace
 
-Path shortestPath(const DiscSpace& space, const Point& start, const Point& goal) {
+Path shortestPath(const DiscSpace& space, const RoundCorners& corners, const Point& start, const Point& goal) {
     const PathEnds ends = freedEnds(space, start, goal);
     if (ends.outcome != Path::Outcome::found) return {.outcome = ends.outcome};
-    auto parts = TangentSearch(space, ends.start, ends.goal).parts();
+    auto parts = TangentSearch(space, corners.all(), ends.start, ends.goal).parts();
     if (!parts) return {};
     parts->insert(parts->begin(), {start, ends.start});
     parts->push_back({ends.goal, goal});
     return pathOf(std::move(*parts));
+}
+
+Path shortestPath(const DiscSpace& space, const Point& start, const Point& goal) {
+    return shortestPath(space, RoundCorners(space), start, goal);
 }
 
 }  // namespace mrose
