@@ -28,8 +28,10 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
             const Estimate& of = measure.estimate;
             const bool known = std::isfinite(of.low);
             const std::string range = known ? '(' + numberOf(of.low) + " to " + numberOf(of.high) + ')' : "";
-            table.add({measure.name, cell(measure.mean), cell(measure.deviation), cell(measure.least),
-                       cell(measure.most), std::to_string(measure.count), range});
+            // What is left of a sum that cancels is none.
+            const double mean = std::abs(measure.mean) < 1e-12 * measure.deviation ? 0 : measure.mean;
+            table.add({measure.name, cell(mean), cell(measure.deviation), cell(measure.least), cell(measure.most),
+                       std::to_string(measure.count), range});
         }
         if (!variant.measures.empty()) std::fputs(table.text().c_str(), stdout);
         std::printf("%lld runs, %lld ended by `until`", static_cast<long long>(variant.runs),

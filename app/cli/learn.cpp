@@ -24,8 +24,8 @@ void printChoice(const TaskData& data, const TaskJudgement& judgement) {
             table.add({"chosen by " + predictor.name, decimals(predictor.choice->mean, 3), "", "", ""});
     if (choice.oracle) table.add({"best of each trial", decimals(choice.oracle->mean, 3), "", "", ""});
     std::fputs(table.text().c_str(), stdout);
-    std::printf("%s every variant alone; best alone: %s\n", choice.beatsAll() ? "better than" : "not better than",
-                choice.variants[choice.best].name.c_str());
+    std::printf("%s every variant alone; best alone, in the trials learned from: %s\n",
+                choice.beatsAll() ? "better than" : "not better than", choice.variants[choice.best].name.c_str());
     if (choice.oracle)
         std::printf(
             "%.0f %% (95 %%: %.0f to %.0f) of the way from there to the best of each trial; the same as that "

@@ -39,7 +39,8 @@ constexpr double crowd = 0.7;                            // m, from the ball: of
 constexpr double waitAt = 1.6, waitWithin = 0.3;         // m, from the ball, and how exactly
 constexpr double waitAside = 0.7;                        // of 1
 constexpr double lookRound = 1.5, stopWithin = 0.4;      // m, ahead
-constexpr double bodyRadius = 0.28, contested = 0.55;    // m; from the ball
+constexpr double bodyRadius = 0.28;                      // m, that others take up
+constexpr double contested = 0.55;                       // m, from the ball: who is there is not driven round
 constexpr double kickEvery = 1;                          // s
 constexpr double kickWidth = 0.09, kickReach = 0.05;     // m, beside and before its front
 constexpr double kickAngle = 0.5, kickMiss = 0.85;       // rad; m, beside the target

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "behaviour/steering.h"
 #include "behaviour/team_belief.h"
@@ -27,7 +28,15 @@ constexpr std::array roleNames{"supports", "goes", "keeps"};
 
 Point unitOf(const Point& vector) { return (1 / std::max(1e-9, length(vector))) * vector; }
 
+/// Mates yield to the one that goes: it does not.
+ChaseBall::Options unyielding(ChaseBall::Options options) {
+    options.yields = false;
+    return options;
+}
+
 }  // namespace
+
+TeamPlayer::TeamPlayer(Options options) : options_(std::move(options)), chase_(unyielding(options_.chase)) {}
 
 struct TeamPlayer::Memory {
     ChaseBall::Memory chase;  ///< its ball is what the whole team knows of it

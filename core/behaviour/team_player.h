@@ -19,7 +19,7 @@ namespace mrose {
 class TeamPlayer final : public Controller {
 public:
     enum class Choose {
-        time,               ///< the time until it can push the ball, as it was learned, s
+        time,               ///< the time until it is at the ball, 0.6 m from it, as it was learned, s
         nearest,            ///< the distance to the ball, m
         distanceOverSpeed,  ///< the same over its own speed, s
         fixed               ///< the one that the options name
@@ -41,7 +41,7 @@ public:
         Nanoseconds handOver = 30'000'000;
     };
 
-    explicit TeamPlayer(Options options) : options_(std::move(options)), chase_(options_.chase) {}
+    explicit TeamPlayer(Options options);
 
     std::size_t memorySize() const override;
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;

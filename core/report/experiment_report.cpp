@@ -25,7 +25,9 @@ std::string numberOf(double value) {
 }
 
 /// As people read it.
-std::string labelOf(std::string_view name, bool share) { return share ? cat(name, " (%)") : measureLabel(name); }
+std::string labelOf(std::string_view name, bool share) {
+    return share ? cat(measureName(name), " (%)") : measureLabel(name);
+}
 
 /// Of a measure of that place in all variants; a share where it is one in all.
 struct Column {

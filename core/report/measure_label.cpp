@@ -1,5 +1,6 @@
 #include "report/measure_label.h"
 
+#include <algorithm>
 #include <array>
 
 #include "io/format.h"
@@ -15,14 +16,31 @@ constexpr std::array units{NamedUnit{"percent", "%"},   NamedUnit{"s", "s"},    
                            NamedUnit{"mps", "m/s"},     NamedUnit{"rad", "rad"},  NamedUnit{"deg", "°"},
                            NamedUnit{"radps", "rad/s"}, NamedUnit{"degps", "°/s"}};
 
+/// The unit that a name ends in, and where that begins; nullptr: it does not.
+const NamedUnit* unitAtEnd(std::string_view name, std::size_t& end) {
+    end = name.rfind('_');
+    if (end == std::string_view::npos || end == 0) return nullptr;
+    const auto found = std::ranges::find(units, name.substr(end + 1), &NamedUnit::ending);
+    return found == units.end() ? nullptr : &*found;
+}
+
+std::string withSpaces(std::string_view name) {
+    std::string text(name);
+    std::ranges::replace(text, '_', ' ');
+    return text;
+}
+
 }  // namespace
 
+std::string measureName(std::string_view name) {
+    std::size_t end = 0;
+    return withSpaces(unitAtEnd(name, end) != nullptr ? name.substr(0, end) : name);
+}
+
 std::string measureLabel(std::string_view name) {
-    const std::size_t end = name.rfind('_');
-    if (end == std::string_view::npos || end == 0) return std::string(name);
-    for (const NamedUnit& unit : units)
-        if (name.substr(end + 1) == unit.ending) return cat(name.substr(0, end), " (", unit.shown, ")");
-    return std::string(name);
+    std::size_t end = 0;
+    const NamedUnit* const unit = unitAtEnd(name, end);
+    return unit != nullptr ? cat(withSpaces(name.substr(0, end)), " (", unit->shown, ")") : withSpaces(name);
 }
 
 }  // namespace mrose

@@ -5,8 +5,11 @@
 
 namespace mrose {
 
-/// A measure's name as people read it, with the unit that it ends in, if it does: "time_s" is "time (s)",
-/// "none_percent" is "none (%)".
+// Names of measures as people read them: with spaces, and the unit in brackets that a name ends in, if it does.
+
+/// "none (%)" of "none_percent", "touched for (s)" of "touched_for_s".
 std::string measureLabel(std::string_view name);
+/// The same without the unit.
+std::string measureName(std::string_view name);
 
 }  // namespace mrose

@@ -6,6 +6,7 @@
 
 #include "drawing/svg_plot.h"
 #include "report/legend.h"
+#include "report/measure_label.h"
 
 namespace mrose {
 namespace {
@@ -17,6 +18,11 @@ double factorOf(const ValidatedMeasure& measure) { return measure.yesNo ? 100 : 
 std::string unitOf(const ValidatedMeasure& measure, bool gain) {
     const std::string unit = measure.yesNo ? (gain ? "points" : "%") : measure.unit;
     return unit.empty() ? "" : " (" + unit + ")";
+}
+
+std::string axisOf(const ValidatedMeasure& measure) {
+    const bool hasUnit = measure.yesNo || !measure.unit.empty();
+    return hasUnit ? measureName(measure.name) + unitOf(measure, false) : measureLabel(measure.name);
 }
 
 /// What holds all values, and 0 where it is asked for, with room around them.
@@ -53,7 +59,7 @@ std::string cellFigure(const Validation& validation, const MeasureValidation& of
     PlotRange range = rangeOf(values, false);
     range.low -= 0.14 * (range.high - range.low);  // for the names
     SvgPlot plot({}, {0, 5}, range, of.measure.name + " of the four cells");
-    plot.uprightAxis(of.measure.name + unitOf(of.measure, false));
+    plot.uprightAxis(axisOf(of.measure));
     for (const bool real : {true, false}) {
         const std::string line = real ? "line realmiss edge" : "line s0";
         Point ends[2];

@@ -227,7 +227,6 @@ ControllerSetting teamPlayer(const Context& context) {
     TeamPlayer::Options options;
     TomlTable& table = context.table;
     options.chase = chasing(context);
-    options.chase.yields = false;  // mates do, to the one that goes
     options.ownGoal = -1 * options.chase.target;
     if (table.has("own_goal_m")) options.ownGoal = point(table, "own_goal_m", metresFar);
     options.keeper = table.booleanOr("keeper", options.keeper);

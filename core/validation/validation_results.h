@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -61,8 +62,8 @@ struct AccountResult {
     double simulatedHours = 0;    ///< of these runs, and by learning and tuning
     double resetHours = 0;        ///< that people would need between them
     double computingMinutes = 0;  ///< by learning and tuning
-    /// What the simulated runs would have taken real robots, less what the logs took.
-    double sparedHours() const { return simulatedHours + resetHours - logMinutes.value_or(0) / 60; }
+    /// What the simulated runs would have taken real robots, less what the logs took; 0 where that is more.
+    double sparedHours() const { return std::max(0.0, simulatedHours + resetHours - logMinutes.value_or(0) / 60); }
 };
 
 struct ValidationResult {

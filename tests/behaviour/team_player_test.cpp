@@ -1,5 +1,6 @@
 #include "behaviour/team_player.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -183,6 +184,80 @@ TEST(TeamPlayer, ByLearnedTimeTheFasterOneGoesThoughItIsFarther) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(entry(scenario, state, i, "goer"), "2") << i;
     const double far = distance({2, 4}, {4.5, 2.5});
     EXPECT_NEAR(std::stod(entry(scenario, state, 0, "cost of 2")), 3 * far, 0.8) << "as it told";
+}
+
+/// How near it comes to another body, and when it is at the ball, 0.6 m from it.
+struct Approach {
+    double leastApart = 1e9;  ///< m, between centres
+    double arrived = -1;      ///< s
+};
+Approach approach(const Scenario& scenario, std::size_t robot, std::size_t other, int seconds) {
+    WorldState state = scenario.initialState();
+    Approach result;
+    for (int tick = 0; tick < seconds * ticksPerSecond; ++tick) {
+        run(scenario, state, 1);
+        const Point at = position(state.robots[robot].pose);
+        result.leastApart = std::min(result.leastApart, distance(at, position(state.robots[other].pose)));
+        if (result.arrived < 0 && distance(at, position(state.objects[0].pose)) < 0.6)
+            result.arrived = tick / double(ticksPerSecond);
+    }
+    return result;
+}
+
+const auto stands = std::make_shared<const Told>(Command{});
+
+TEST(TeamPlayer, WhoGoesDrivesRoundARobotThatStandsInTheWay) {
+    for (const double aside : {-0.1, 0.0, 0.2}) {
+        const Scenario scenario = field({{1.5, 2.5, 0}}, {6, 2.5}, {}, asTheyAre)
+                                      .robot(discRobot(0.2), {3.5, 2.5 + aside, 0}, stands, ideal())
+                                      .scenario();
+        const Approach of = approach(scenario, 0, 1, 25);
+        EXPECT_GT(of.leastApart, 0.42) << aside << ": they do not touch";
+        // 3.9 m at 0.4 m/s, and the way round.
+        EXPECT_GT(of.arrived, 3.9 / 0.4) << aside;
+        EXPECT_LT(of.arrived, 3.9 / 0.4 + 6) << aside;
+    }
+}
+
+TEST(TeamPlayer, WhoIsAtTheBallIsNotDrivenRound) {
+    const Scenario scenario = field({{1.5, 2.5, 0}}, {4, 2.5}, {}, asTheyAre)
+                                  .robot(discRobot(0.2), {4.35, 2.6, 0}, stands, ideal())
+                                  .scenario();
+    const double arrived = approach(scenario, 0, 1, 15).arrived;
+    EXPECT_GT(arrived, 1.9 / 0.4);
+    EXPECT_LT(arrived, 1.9 / 0.4 + 3);
+}
+
+TEST(TeamPlayer, WhoGoesDoesNotWaitAsideWhileAnotherRobotIsAtABallAtAWall) {
+    const Point ball{4.5, 0.13};
+    const auto beside = [&](std::shared_ptr<const Controller> controller) {
+        SmallWorld world(walledField(9, 5));
+        world.robot(guideRobot({}), {3, 2.5, -0.8}, std::move(controller), lateDrive());
+        world.robot(discRobot(0.2), {ball.x + 0.4, 0.3, 0}, stands, ideal());
+        world.object(ballType(), {ball.x, ball.y, 0});
+        return world.scenario();
+    };
+    TeamPlayer::Options player = options(1);
+    EXPECT_GT(approach(beside(std::make_shared<const TeamPlayer>(player)), 0, 1, 20).arrived, 0);
+    EXPECT_LT(approach(beside(std::make_shared<const ChaseBall>(player.chase)), 0, 1, 20).arrived, 0)
+        << "alone it waits for the other one";
+}
+
+TEST(TeamPlayer, ThoseThatSupportLeaveABallAtAWallAlone) {
+    for (const Point& ball : {Point{4.5, 0.13}, Point{8.87, 1}, Point{0.13, 4}, Point{6, 4.87}}) {
+        const std::vector<Pose> starts{{ball.x > 4.5 ? ball.x - 0.7 : ball.x + 0.7, std::clamp(ball.y, 0.6, 4.4), 0},
+                                       {4.5, 2.5, 1},
+                                       {std::clamp(ball.x, 1.5, 7.5), ball.y < 2.5 ? 1.2 : 3.8, 3}};
+        const Scenario scenario = field(starts, ball, {}, [](std::size_t, TeamPlayer::Options& own) {
+                                      own.choose = TeamPlayer::Choose::fixed;
+                                      own.goes = 0;
+                                  }).scenario();
+        WorldState state = scenario.initialState();
+        run(scenario, state, 15 * ticksPerSecond);
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_GT(distance(position(state.robots[i].pose), position(state.objects[0].pose)), 0.9)
+                << "player " << i + 1 << ", ball at " << ball.x << ", " << ball.y;
+    }
 }
 
 }  // namespace

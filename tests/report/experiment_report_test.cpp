@@ -60,8 +60,10 @@ TEST(ExperimentReport, VariantsStandBesideEachOtherInTableAndPictures) {
 TEST(MeasureLabel, UnitsAreWhatTheNameEndsIn) {
     EXPECT_EQ(measureLabel("time_s"), "time (s)");
     EXPECT_EQ(measureLabel("none_percent"), "none (%)");
-    EXPECT_EQ(measureLabel("turned_in_all_deg"), "turned_in_all (°)");
-    for (const char* const plain : {"goals", "so_many", "_s", "s", "", "times_"}) EXPECT_EQ(measureLabel(plain), plain);
+    EXPECT_EQ(measureLabel("turned_in_all_deg"), "turned in all (°)");
+    EXPECT_EQ(measureName("turned_in_all_deg"), "turned in all");
+    EXPECT_EQ(measureName("at_walls"), "at walls");
+    for (const char* const plain : {"goals", "s", "", "so-called"}) EXPECT_EQ(measureLabel(plain), plain);
 }
 
 TEST(ExperimentReport, WithoutVariantsItSaysHowMeasuresSpread) {

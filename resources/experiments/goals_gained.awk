@@ -1,0 +1,14 @@
+# Goals of the team that chooses by the learned time and of the other one, a game, from the rows of p_against_nearest.toml:
+#   awk -f goals_gained.awk matches/results.csv
+# Each trial is played both ways: the difference is that of their mean, with its 95 % interval over trials.
+BEGIN { FS = "," }
+NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+{
+    red = $column["variant_name"] ~ /^"?red/; t = $column["trial"]
+    own = $column[red ? "measure.red" : "measure.blue"]; other = $column[red ? "measure.blue" : "measure.red"]
+    games++; scored += own; conceded += other; gain[t] += own - other; played[t]++
+}
+END {
+    for (t in gain) { d = gain[t] / played[t]; n++; e = d - mean; mean += e / n; square += e * (d - mean) }
+    printf "%d games: %.2f goals a game to %.2f, %+.3f +- %.3f\n", games, scored / games, conceded / games, mean, 1.96 * sqrt(square / (n - 1) / n)
+}
