@@ -48,6 +48,8 @@ public:
         start_.centre = start;
         goal_.centre = goal;
         start_.full = goal_.full = true;
+        nodes_.reserve(many);
+        open_.reserve(many);
     }
 
     std::optional<std::vector<PathPart>> parts() {
@@ -66,6 +68,7 @@ public:
 
 private:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max(), goalNumber = none - 1;
+    static constexpr std::size_t many = 256;  ///< nodes of most searches
     /// A tangent to another corner.
     struct Exit {
         std::size_t corner;  ///< or the goal's number
@@ -138,6 +141,7 @@ void TangentSearch::findExits(const RoundCorner& from, int fromSense, std::size_
         if (const auto tangent = tangentBetween(from, fromSense, corner, sense))
             exits.push_back({to, sense, *tangent, distance(tangent->from, tangent->to), std::nullopt});
     };
+    exits.reserve(corners_.size());
     for (std::size_t to = 0; to < corners_.size(); ++to)
         if (to != number)
             for (const int sense : {1, -1}) add(corners_[to], to, sense);

@@ -85,14 +85,15 @@ std::string predictionFigure(const TaskJudgement& judgement, std::size_t output)
     const std::vector<double>& predicted = judgement.predictors.front().predicted;
     std::vector<Point> dots;
     const std::size_t every = std::max<std::size_t>(1, data.rows() / mostDots);
-    double least = 0, most = 0;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t row = 0; row < data.rows(); row += every) {
         const std::size_t i = row * data.outputs() + output;
         dots.push_back({data.y[i], predicted[i]});
         least = std::min({least, data.y[i], predicted[i]});
         most = std::max({most, data.y[i], predicted[i]});
     }
-    const PlotRange range = usable({least, most});
+    const double room = 0.03 * (most - least);
+    const PlotRange range = usable({least - room, most + room});
     SvgPlot plot({.width = 440, .height = 420}, range, range, "Predicted against simulated, held out");
     plot.axes(cat(measureLabel(data.target), ", simulated"), cat(measureLabel(data.target), ", predicted"));
     const Point diagonal[] = {{range.low, range.low}, {range.high, range.high}};
