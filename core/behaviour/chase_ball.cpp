@@ -122,7 +122,8 @@ Command ChaseBall::chase(const Observation& observation, Memory& memory, WallStr
     return goTo(memory.aim, now.robot, inTheWay);
 }
 
-/// Round those that are in the way, the slower the shorter the way ahead.
+/// Round those that are in the way, the slower the shorter the way ahead. The place is clear of walls: they count where
+/// it goes round somebody.
 Command ChaseBall::goTo(const Point& place, const Pose& from, std::span<const Point> others) const {
     const Point line = place - position(from);
     const double look = std::min(lookRound, length(line)), room = options_.halfWidth + roomBeside;

@@ -80,16 +80,15 @@ public:
 
     const Options& options() const { return options_; }
     Situation situation(const Memory& memory) const;
-    // `others`: where robots are, in the world's frame, as far as is known.
-
     /// What it does about the ball. `stroke`: what it remembers of that, where its options have one; otherwise null.
+    /// `others`: where robots are, in the world's frame, as far as is known.
     Command play(const Observation& observation, Memory& memory, WallStroke* stroke, std::span<const Point> others,
                  Decision& decision) const;
     /// What gets the robot off where it does not get on; nullopt: it does.
     std::optional<Command> backOff(const Observation& observation, Memory& memory) const;
     /// Looks for a ball of which nothing is known.
     Command search(const Observation& observation, Memory& memory) const;
-    /// Goes to a place and looks from there at something.
+    /// Goes to a place, round others, and looks from there at something.
     Command standBy(const Point& place, const Point& watched, Memory& memory, std::span<const Point> others) const;
     void explain(const Memory& memory, std::vector<MemoryEntry>& entries) const;
 
