@@ -14,11 +14,15 @@ int runPredict(PredictRequest request, const CommonFlags& common) {
     const auto predicted = predictWindows(request);
     if (!predicted) return report(predicted.error());
     if (common.json) {
-        const nlohmann::json json{
+        nlohmann::json json{
             {"windows", predicted->windows}, {"predictions", request.output}, {"notices", predicted->notices}};
+        if (request.samples > 0) json["samples"] = request.samples;
         std::puts(json.dump(2).c_str());
     } else if (!common.quiet) {
-        std::printf("%s: %zu windows of %g s predicted\n", request.output.c_str(), predicted->windows, request.horizon);
+        std::printf("%s: %zu windows of %g s predicted", request.output.c_str(), predicted->windows, request.horizon);
+        if (request.samples > 0)
+            std::printf(", %s of each", counted(static_cast<std::size_t>(request.samples), "sample").c_str());
+        std::puts("");
         for (const std::string& notice : predicted->notices) std::printf("Note: %s\n", notice.c_str());
     }
     return success;
@@ -53,6 +57,10 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "dataset,robot,t_start,t,x,y,heading.\n"
         "A prediction uses the commands up to the predicted instant and the ground truth up to t_start, nothing "
         "later.\n"
+        "  mrose predict create.net --log MRCLAM_Dataset7 --windows windows.csv --samples 64 --at 1,2,5,10 -o "
+        "bands.csv\n"
+        "Samples are runs of the robot with its learned noise, the k-th that of a run with seed k: the output has a "
+        "column sample, from 0 on, before t.\n"
         "  mrose predict create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --queries queries.csv -o samples.csv\n"
         "The queries file has the columns dataset,robot,t,subject; the output "
         "dataset,robot,t,subject,p_detect,sample,\n"
@@ -76,23 +84,31 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
     sub->add_option("--horizon", request->horizon, "Length of a prediction in s")
         ->check(numberRange(0.1, 3600.0))
         ->capture_default_str();
-    sub->add_option("--samples", readings->samples, "Of a sensor: independent draws of each reading")
-        ->check(CLI::Range(1, 100000))
-        ->needs(queries)
-        ->capture_default_str();
+    auto samples = std::make_shared<int>(0);
+    sub->add_option(
+           "--samples", *samples,
+           "Independent draws: of a sensor of each reading, by default 40; of motion of each window, by default "
+           "none but the mean")
+        ->check(CLI::Range(1, 100000));
+    sub->add_option("--at", request->at, "Of motion: write the poses so many s after t_start only: 1,2,5,10")
+        ->check(numberRange(0.1, 3600.0))
+        ->delimiter(',')
+        ->excludes(queries);
     addSeed(*sub, common);
-    return {sub, [request, readings, windows, queries, &common] {
+    return {sub, [request, readings, samples, windows, queries, &common] {
                 if (*queries) {
                     readings->network = request->network;
                     readings->log = request->log;
                     readings->output = request->output;
                     readings->robots = request->robots;
+                    if (*samples > 0) readings->samples = *samples;
                     return runReadings(*readings, common);
                 }
                 if (!*windows) {
                     mrose::cli::report({.cause = "expected --windows of a motion network, or --queries of a sensor"});
                     return static_cast<int>(usage);
                 }
+                request->samples = *samples;
                 return runPredict(*request, common);
             }};
 }

@@ -15,6 +15,7 @@ struct TrainFlags {
     TrainRequest request;
     TrainSensorRequest sensor;  ///< of what concerns sensors alone
     std::string model, method = "irprop+", loss, holdOutBy, family = "network";
+    bool meanAlone = false;
 
     TrainSensorRequest wholeSensor(const CommonFlags& common) const {
         TrainSensorRequest whole = sensor;
@@ -49,6 +50,7 @@ struct TrainFlags {
         whole.method = TrainingMethod(indexOf(trainingMethodNames, method));
         if (!loss.empty()) whole.loss = loss == "rollout" ? LearningLoss::rollout : LearningLoss::oneStep;
         if (!holdOutBy.empty()) whole.logs.holdOutBy = holdOutBy == "groups" ? HoldOutBy::groups : HoldOutBy::time;
+        if (meanAlone) whole.noise = false;
         whole.seed = common.seed;
         whole.overwrite = common.overwrite;
         whole.command = commandLine();
@@ -117,6 +119,12 @@ void addHow(CLI::App& sub, TrainFlags& flags) {
         ->check(CLI::Range(1, 20));
 }
 
+void addNoise(CLI::App& sub, TrainFlags& flags) {
+    sub.add_flag("--mean-alone", flags.meanAlone,
+                 "Learn no noise: in a third of the time a network that does not say how real runs differ from it. "
+                 "Model paper has none");
+}
+
 /// Instead of what is identified from the logs.
 void addResponseTimes(CLI::App& sub, TrainFlags& flags) {
     sub.add_option("--dead-time-v", flags.request.deadTimeV, "Dead time of v in s, instead of the one identified")
@@ -147,7 +155,7 @@ void addSensor(CLI::App& sub, TrainFlags& flags) {
         ->check(numberRange(0.0, 1.0))
         ->needs(sensor);
     for (const char* ofMotion : {"--model", "--hold-out", "--method", "--loss", "--chain", "--members", "--folds",
-                                 "--phases", "--dead-time-v", "--dead-time-w", "--lag-v", "--lag-w"})
+                                 "--phases", "--mean-alone", "--dead-time-v", "--dead-time-w", "--lag-v", "--lag-w"})
         sensor->excludes(sub.get_option(ofMotion));
 }
 
@@ -168,6 +176,12 @@ public:
 
     bool prepares(double share) {
         if (share >= 1) begin_ = std::chrono::steady_clock::now();
+        return !wasInterrupted();
+    }
+    bool fits(double share) {
+        char text[100];
+        std::snprintf(text, sizeof text, "noise: %.0f %%", 100 * share);
+        if (line_.terminal() || share >= 1) line_.show(text);
         return !wasInterrupted();
     }
     bool operator()(const NetworkProgress& p) {
@@ -202,6 +216,8 @@ void printSummary(const TrainedNetwork& trained, const std::string& file, double
         "held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the "
         "rotation\n",
         n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
+    if (!trained.withoutNoise.empty())
+        std::printf("Note: its noise was not learned: %s\n", trained.withoutNoise.c_str());
     if (n.heldOut.part.holdsAny())
         std::printf("kept from learning, for mrose evaluate --held-out: %s\n",
                     keptFromLearning(n.heldOut.part).c_str());
@@ -215,7 +231,10 @@ int runTrain(const TrainRequest& request, const CommonFlags& common) {
     const auto begin = std::chrono::steady_clock::now();
     watchInterrupts();
     TrainingDisplay display(common.quiet);
-    TrainProgress progress{{}, std::ref(display), [&](double share) { return display.prepares(share); }};
+    TrainProgress progress{{},
+                           std::ref(display),
+                           [&](double share) { return display.prepares(share); },
+                           [&](double share) { return display.fits(share); }};
     if (!common.quiet && !common.json)
         progress.opened = [](const std::vector<std::string>& notes) {
             for (const std::string& note : notes) std::printf("Note: %s\n", note.c_str());
@@ -281,6 +300,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     addOverwrite(*sub, common);
     addWhat(*sub, *flags);
     addHow(*sub, *flags);
+    addNoise(*sub, *flags);
     addResponseTimes(*sub, *flags);
     addSensor(*sub, *flags);
     const CLI::Option* components = sub->get_option("--components");

@@ -138,25 +138,42 @@ Expected<RequestedStarts> requestedStarts(const Log& log, std::span<const Window
         const auto start = startOf(log.robots[*robot], request, steps, fileName);
         if (!start) return tl::unexpected(start.error());
         requested.starts.push_back(*start);
+        requested.starts.back().body = static_cast<std::uint32_t>(*robot);
         requested.robots.push_back(*robot);
     }
     return requested;
 }
 
-std::string predictionsCsv(const Log& log, std::span<const RolloutStart> starts, std::span<const std::size_t> robots,
-                           std::span<const std::vector<Pose>> predicted, Nanoseconds step) {
-    const bool named = severalTrajectories(log);
-    std::string text = "dataset,robot,t_start,t,x,y,heading";
-    text += named ? ",trajectory\n" : "\n";
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        const std::string key = windowKey(log.dataset, log.robots[robots[i]].robot, starts[i].time) + ",";
-        const std::string end = named ? "," + starts[i].trajectory->name + "\n" : "\n";
-        for (std::size_t k = 0; k < predicted[i].size(); ++k) {
-            const Pose& pose = predicted[i][k];
-            text += key + secondsText(static_cast<Nanoseconds>(k + 1) * step) + "," + fixed(pose.x, 7) + "," +
-                    fixed(pose.y, 7) + "," + fixed(pose.heading, 7) + end;
+PredictionsCsv::PredictionsCsv(const Log& log, const RequestedStarts& requested, Nanoseconds step, bool sampled,
+                               std::vector<std::size_t> at)
+    : log_(log),
+      requested_(requested),
+      step_(step),
+      sampled_(sampled),
+      named_(severalTrajectories(log)),
+      at_(std::move(at)),
+      rows_(requested.starts.size()) {}
+
+void PredictionsCsv::add(std::span<const std::vector<Pose>> predicted, int sample) {
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        const RolloutStart& start = requested_.starts[i];
+        const std::string& robot = log_.robots[requested_.robots[i]].robot;
+        std::string key = windowKey(log_.dataset, robot, start.time) + ",";
+        if (sampled_) key += std::to_string(sample) + ",";
+        const std::string end = named_ ? "," + start.trajectory->name + "\n" : "\n";
+        for (std::size_t k = 1; k <= predicted[i].size(); ++k) {
+            if (!at_.empty() && std::find(at_.begin(), at_.end(), k) == at_.end()) continue;
+            const Pose& pose = predicted[i][k - 1];
+            rows_[i] += key + secondsText(static_cast<Nanoseconds>(k) * step_) + "," + fixed(pose.x, 7) + "," +
+                        fixed(pose.y, 7) + "," + fixed(pose.heading, 7) + end;
         }
     }
+}
+
+std::string PredictionsCsv::text() const {
+    std::string text = sampled_ ? "dataset,robot,t_start,sample,t,x,y,heading" : "dataset,robot,t_start,t,x,y,heading";
+    text += named_ ? ",trajectory\n" : "\n";
+    for (const std::string& rows : rows_) text += rows;
     return text;
 }
 

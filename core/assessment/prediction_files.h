@@ -42,9 +42,26 @@ struct RequestedStarts {
 Expected<RequestedStarts> requestedStarts(const Log& log, std::span<const WindowRequest> requests, int steps,
                                           const std::string& fileName);
 
-/// dataset,robot,t_start,t,x,y,heading: one row per window and step, t the time since t_start in seconds. x and y to
-/// 0.1 um, heading to 0.1 urad.
-std::string predictionsCsv(const Log& log, std::span<const RolloutStart> starts, std::span<const std::size_t> robots,
-                           std::span<const std::vector<Pose>> predicted, Nanoseconds step);
+/// dataset,robot,t_start,t,x,y,heading: one row per window and instant, t the time since t_start in seconds. x and y to
+/// 0.1 um, heading to 0.1 urad. Of several samples of each window t follows a column sample, 0, 1, ...; `at`: the steps
+/// that are written, from 1 on; empty: all.
+class PredictionsCsv {
+public:
+    PredictionsCsv(const Log& log, const RequestedStarts& requested, Nanoseconds step, bool sampled,
+                   std::vector<std::size_t> at);
+
+    /// The poses after each step, of all windows in their order.
+    void add(std::span<const std::vector<Pose>> predicted, int sample = 0);
+    /// By window, and of a window by sample.
+    std::string text() const;
+
+private:
+    const Log& log_;
+    const RequestedStarts& requested_;
+    Nanoseconds step_;
+    bool sampled_, named_;
+    std::vector<std::size_t> at_;
+    std::vector<std::string> rows_;  ///< of each window
+};
 
 }  // namespace mrose

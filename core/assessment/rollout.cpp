@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "io/format.h"
+#include "world/noise_channel.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
@@ -56,14 +57,17 @@ Runner prepare(const MotionModel& model, const RolloutStart& start, Nanoseconds 
 }
 
 /// Moves every runner from its own start time + `elapsed` through one period.
-void advance(const MotionModel& model, std::span<Runner> runners, Nanoseconds elapsed, std::vector<MotionInput>& inputs,
-             std::vector<MotionStep>& steps) {
+void advance(const MotionModel& model, std::span<Runner> runners, Nanoseconds elapsed, const RolloutOptions& options,
+             std::vector<MotionInput>& inputs, std::vector<MotionStep>& steps) {
     inputs.resize(runners.size());
     steps.resize(runners.size());
     for (std::size_t i = 0; i < runners.size(); ++i) {
         const Nanoseconds now = runners[i].start->time + elapsed;
         issueUntil(runners[i], now);
         inputs[i] = {&runners[i].history, now, runners[i].velocity, runners[i].memory};
+        if (options.seed)
+            inputs[i].noise = NoiseKey{*options.seed, elapsed / options.tick, runners[i].start->body,
+                                       channelOf(NoiseChannel::motion)};
     }
     model.predict(inputs, steps);
     for (std::size_t i = 0; i < runners.size(); ++i) {
@@ -92,7 +96,7 @@ void rollOutBatch(const MotionModel& model, std::span<const RolloutStart> starts
         if (active == 0) return;
         const std::span underWay(runners.data(), active);
         for (Nanoseconds i = 0; i < periodsPerStep; ++i)
-            advance(model, underWay, step * options.step + i * model.period(), inputs, steps);
+            advance(model, underWay, step * options.step + i * model.period(), options, inputs, steps);
         for (std::size_t i = 0; i < active; ++i) poses[order[i]].push_back(runners[i].pose);
     }
 }
@@ -122,7 +126,9 @@ void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, co
     if (runners.empty()) return;
     std::vector<MotionInput> inputs;
     std::vector<MotionStep> steps;
-    for (Nanoseconds i = 0; i < periods; ++i) advance(model, runners, begin + i * model.period(), inputs, steps);
+    RolloutOptions mean = options;
+    mean.seed.reset();
+    for (Nanoseconds i = 0; i < periods; ++i) advance(model, runners, begin + i * model.period(), mean, inputs, steps);
     for (std::size_t i = 0; i < unknown.size(); ++i) unknown[i]->velocity = runners[i].velocity;
 }
 

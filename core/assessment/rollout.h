@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,11 +19,14 @@ struct RolloutStart {
     Pose pose;                         ///< at `time`
     std::optional<Velocity> velocity;  ///< at `time`; unknown: what the model itself reaches over RolloutOptions::lead
     int steps = 0;
+    std::uint32_t body = 0;  ///< which robot of a world it is, for what is random
 };
 
 struct RolloutOptions {
-    Nanoseconds step = 100'000'000;      ///< of the output; a whole multiple of the model's period
-    Nanoseconds lead = 3'000'000'000LL;  ///< commands known to the model before the start
+    Nanoseconds step = 100'000'000;                    ///< of the output; a whole multiple of the model's period
+    Nanoseconds lead = 3'000'000'000LL;                ///< commands known to the model before the start
+    std::optional<std::uint64_t> seed = std::nullopt;  ///< of the run in which noise is drawn; none: the mean is wanted
+    Nanoseconds tick = 20'000'000;                     ///< that run's
 };
 
 /// The commands that a rollout reads up to `until`: the one in force a lead before its start, and all since. A
@@ -35,8 +39,9 @@ void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, co
 
 /// Predicted poses, one list per start, `steps` long, in the frame of the start's pose. Starts advance together,
 /// in large batches. At each period the command history holds exactly the commands stamped at or before its start:
-/// nothing later can be read. A trajectory marked steady is taken to have had its first command before it began; any
-/// other one stood before its first command. Error: the model's period does not divide the step.
+/// nothing later can be read. Noise is what a world draws that begins at the start. A trajectory marked steady is taken
+/// to have had its first command before it began; any other one stood before its first command. Error: the model's
+/// period does not divide the step.
 Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::span<const RolloutStart> starts,
                                                  const RolloutOptions& options = {});
 

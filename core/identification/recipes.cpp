@@ -24,7 +24,8 @@ double roundedTo5ms(double seconds) { return std::round(seconds * 200) / 200; }
 std::vector<double> binEdges(const ResponseTimes& times) {
     const double deadTime = roundedTo5ms(std::min(times.deadTimeV, times.deadTimeW));
     const double spread = std::abs(times.deadTimeV - times.deadTimeW);
-    const double reach = spread + 1.5 * std::max(times.lagV, times.lagW);
+    // Drives settle for longer than a lag says.
+    const double reach = std::max(0.8, spread + 1.5 * std::max(times.lagV, times.lagW));
     std::vector<double> edges;
     for (const double offset :
          {-0.05, 0.0, 0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0, 1.4}) {

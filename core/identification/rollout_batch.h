@@ -40,11 +40,21 @@ public:
 
     std::span<const Pose> truth(std::size_t chain) const { return {&truth_[chain * length_], length_}; }
 
-private:
+    /// All chains at once, step by step.
     struct Pass {
-        std::vector<PatternMatrix> inputs, hidden, outputs;
-        std::vector<Pose> increments;
+        std::vector<PatternMatrix> inputs, hidden, outputs;  ///< [step]; inputs only where chains feed them back
+        std::vector<Pose> increments;                        ///< [chains][length]
     };
+    /// What was read and computed on the way; hidden layers are not kept. `engine` may have more outputs than the
+    /// network.
+    Pass rollOut(const MlpGradient& engine, std::span<const float> parameters) const {
+        return forward(engine, parameters, false);
+    }
+    const PatternMatrix& inputs(const Pass& pass, std::size_t step) const {
+        return recurrent_ ? pass.inputs[step] : inputs_[step];
+    }
+
+private:
     Pass forward(const MlpGradient& engine, std::span<const float> parameters, bool keepHidden) const;
     double addVelocityError(const Pass& pass, std::size_t chain, double weight,
                             std::vector<PatternMatrix>& byOutput) const;

@@ -46,9 +46,65 @@ LearnedMotion::LearnedMotion(MotionNetwork network)
     for (const MotionNetwork::Identified& identified : network_.identified)
         if (const int robot = inputs_.robotIndex(identified.robot); robot >= 0)
             trackers_[static_cast<std::size_t>(robot)] = identified.tracker;
+    if (network_.noise)
+        noise_.emplace(Noise{NoiseTraitReader(network_),
+                             NoiseProcesses(*network_.noise, network_.members.size(), toSeconds(network_.period)),
+                             network_.noise->members.weight == 0 ? 0 : network_.members.size()});
 }
 
-MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const float* outputs) const {
+namespace {
+
+/// What noise remembers of a robot, in front of the values of its processes.
+struct NoiseMemory {
+    float forward = 0, heading = 0;  ///< the mean's increment of the period before
+};
+
+std::span<float> noiseValues(std::span<std::byte> memory, std::size_t count) {
+    return {reinterpret_cast<float*>(memory.data() + sizeof(LearnedMotion::Memory) + sizeof(NoiseMemory)), count};
+}
+
+}  // namespace
+
+std::size_t LearnedMotion::memorySize(MotionDraw draw) const {
+    if (draw == MotionDraw::mean || !noise_) return sizeof(Memory);
+    const std::size_t values = (noise_->processes.values() + 1) / 2 * 2;  // whole blocks of 8 bytes
+    return sizeof(Memory) + sizeof(NoiseMemory) + values * sizeof(float);
+}
+
+const MlpInference& LearnedMotion::inferenceFor(MotionDraw draw) const {
+    return draw == MotionDraw::noisy && noise_ && noise_->members > 0 ? *withMembers_ : inference_;
+}
+
+std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const float* row, const float* outputs) const {
+    if (!noise_ || !input.noise) return std::nullopt;
+    const Pose mean = incrementOf(outputs);
+    const bool kept = !input.memory.empty(), begun = kept && as<Memory>(input.memory).begun != 0;
+    std::array<float, ResidualNoise::maxValues> own;
+    std::span<float> values = std::span(own).first(noise_->processes.values());
+    if (kept) values = noiseValues(input.memory, values.size());
+    noise_->processes.advance(input.key(0), begun, values);
+    NoiseMemory* const before = kept ? reinterpret_cast<NoiseMemory*>(input.memory.data() + sizeof(Memory)) : nullptr;
+    const Pose previous = begun ? Pose{before->forward, 0, before->heading} : mean;
+    if (kept) *before = {static_cast<float>(mean.x), static_cast<float>(mean.heading)};
+    std::array<Pose, ResidualNoise::maxMembers> members;
+    const std::size_t outputCount = network_.outputs.size();
+    for (std::size_t m = 0; m < noise_->members; ++m) {
+        const float* const member = outputs + outputCount + m * network_.members.front().outputBiases.size();
+        const Pose increment = incrementOf(member);
+        members[m] = {increment.x - mean.x, increment.y - mean.y, increment.heading - mean.heading};
+    }
+    return noise_->processes.noise(values, noise_->traits.read(row, mean, previous),
+                                   std::span(members).first(noise_->members));
+}
+
+std::vector<MemoryEntry> LearnedMotion::explainNoise(std::span<const std::byte> memory) const {
+    if (memory.size() <= sizeof(Memory) || !noise_) return {};
+    const auto* const values = reinterpret_cast<const float*>(memory.data() + sizeof(Memory) + sizeof(NoiseMemory));
+    return {{"noise_scale", noise_->processes.scale({values, noise_->processes.values()})}};
+}
+
+MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const float* outputs,
+                                 const std::optional<Pose>& noise) const {
     std::array<double, MotionNetwork::maxOutputs> y;
     for (std::size_t i = 0; i < network_.outputs.size(); ++i) y[i] = value(outputs, i);
     MotionStep step{{y[0], y[1], y[2]}, {y[3], y[4]}};
@@ -59,6 +115,11 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
         step.increment.x += v * decayV_.displacement;
         step.increment.heading += w * decayW_.displacement;
         step.velocity = {y[5] + v * decayV_.velocity, y[6] + w * decayW_.velocity};
+    }
+    if (noise) {
+        step.increment.x += noise->x;
+        step.increment.y += noise->y;
+        step.increment.heading += noise->heading;
     }
     if (robot >= 0) step.increment.y += trackers_[static_cast<std::size_t>(robot)].sideways(step.increment);
     return step;
@@ -71,19 +132,24 @@ void LearnedMotion::remember(const MotionInput& input, const float* outputs) con
 }
 
 void LearnedMotion::predict(std::span<const MotionInput> inputs, std::span<const int> robots,
-                            std::span<MotionStep> steps) const {
+                            std::span<MotionStep> steps, MotionDraw draw) const {
     assert(inputs.size() == steps.size() && inputs.size() == robots.size());
     constexpr std::size_t chunk = 32;
-    const std::size_t width = inputs_.width(), outputs = network_.outputs.size();
+    const MlpInference& inference = inferenceFor(draw);
+    const std::size_t width = inputs_.width(), outputs = static_cast<std::size_t>(inference.shape().outputs);
     std::array<float, chunk * MotionNetwork::maxInputs> rows;
-    std::array<float, chunk * MotionNetwork::maxOutputs> results;
+    std::array<float, chunk*(MotionNetwork::maxOutputs + ResidualNoise::maxMembers * MotionNetwork::maxOutputs)>
+        results;
     for (std::size_t begin = 0; begin < inputs.size(); begin += chunk) {
         const std::size_t count = std::min(chunk, inputs.size() - begin);
         for (std::size_t i = 0; i < count; ++i) inputs_.read(inputs[begin + i], robots[begin + i], &rows[i * width]);
-        inference_.batch(rows.data(), results.data(), count);
+        inference.batch(rows.data(), results.data(), count);
         for (std::size_t i = 0; i < count; ++i) {
-            steps[begin + i] = toStep(inputs[begin + i], robots[begin + i], &results[i * outputs]);
-            remember(inputs[begin + i], &results[i * outputs]);
+            const MotionInput& input = inputs[begin + i];
+            const float* const result = &results[i * outputs];
+            const auto noise = draw == MotionDraw::noisy ? drawNoise(input, &rows[i * width], result) : std::nullopt;
+            steps[begin + i] = toStep(input, robots[begin + i], result, noise);
+            remember(input, result);
         }
     }
 }
@@ -117,8 +183,10 @@ void LearnedMotion::predictMembers(std::span<const MotionInput> inputs, std::spa
     }
 }
 
-LearnedModel::LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot)
-    : motion_(std::move(motion)), robot_(motion_->inputs().robotIndex(robot)) {
+LearnedModel::LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot, MotionDraw draw)
+    : motion_(std::move(motion)),
+      robot_(motion_->inputs().robotIndex(robot)),
+      draw_(motion_->network().noise ? draw : MotionDraw::mean) {
     const std::vector<MotionNetwork::Identified>& all = network().identified;
     const bool own = std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.robot == robot; });
     double v = 0, w = 0, count = 0;
@@ -133,13 +201,23 @@ LearnedModel::LearnedModel(std::shared_ptr<const LearnedMotion> motion, const st
 
 bool LearnedModel::sameAs(const MotionModel& other) const {
     const auto* learned = dynamic_cast<const LearnedModel*>(&other);
-    return learned != nullptr && learned->robot_ == robot_ && learned->network() == network();
+    return learned != nullptr && learned->robot_ == robot_ && learned->draw_ == draw_ &&
+           learned->network() == network();
+}
+
+std::shared_ptr<const LearnedModel> LearnedModel::drawn(MotionDraw draw) const {
+    auto other = std::make_shared<LearnedModel>(*this);
+    other->draw_ = network().noise ? draw : MotionDraw::mean;
+    return other;
 }
 
 std::vector<MemoryEntry> LearnedModel::explain(std::span<const std::byte> memory) const {
     const auto& kept = as<LearnedMotion::Memory>(memory);
     if (kept.begun == 0) return {};
-    return {{"unperturbed_v", kept.unperturbed.v, "m/s"}, {"unperturbed_w", kept.unperturbed.w, "rad/s"}};
+    std::vector<MemoryEntry> entries{{"unperturbed_v", kept.unperturbed.v, "m/s"},
+                                     {"unperturbed_w", kept.unperturbed.w, "rad/s"}};
+    for (MemoryEntry& entry : motion_->explainNoise(memory)) entries.push_back(std::move(entry));
+    return entries;
 }
 
 void LearnedModel::predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const {
@@ -148,7 +226,8 @@ void LearnedModel::predict(std::span<const MotionInput> inputs, std::span<Motion
     robots.fill(robot_);
     for (std::size_t begin = 0; begin < inputs.size(); begin += chunk) {
         const std::size_t count = std::min(chunk, inputs.size() - begin);
-        motion_->predict(inputs.subspan(begin, count), std::span(robots).first(count), steps.subspan(begin, count));
+        motion_->predict(inputs.subspan(begin, count), std::span(robots).first(count), steps.subspan(begin, count),
+                         draw_);
     }
 }
 
@@ -161,6 +240,12 @@ void LearnedModel::predictWithSpread(std::span<const MotionInput> inputs, std::s
     motion_->predictMembers(inputs, robots, steps, members);
     for (std::size_t i = 0; i < inputs.size(); ++i)
         spreads[i] = spreadOf(std::span(members).subspan(i * count, count), steps[i]);
+}
+
+std::shared_ptr<const MotionModel> meanOf(std::shared_ptr<const MotionModel> model) {
+    const auto* learned = dynamic_cast<const LearnedModel*>(model.get());
+    if (learned == nullptr || learned->draw() == MotionDraw::mean) return model;
+    return learned->drawn(MotionDraw::mean);
 }
 
 const LearnedModel* learnedModel(const MotionModel& model) {

@@ -9,8 +9,15 @@
 #include "motion/input_reader.h"
 #include "motion/motion_model.h"
 #include "motion/motion_network.h"
+#include "motion/residual_noise.h"
 
 namespace mrose {
+
+/// What of a network's distribution moves a robot.
+enum class MotionDraw {
+    mean,
+    noisy,  ///< one run of many, where the network knows its noise and a key is given: MotionInput::noise
+};
 
 /// A motion network made ready for use; shared by all robots that it moves.
 class LearnedMotion {
@@ -28,9 +35,14 @@ public:
         std::uint64_t begun = 0;  ///< 0 before the first period: `unperturbed` is told from the commands
         std::uint64_t unused = 0;
     };
+    /// Bytes that are remembered of a robot: Memory, and where noise is drawn, what that remembers.
+    std::size_t memorySize(MotionDraw draw) const;
+    /// What the noise remembers, for people.
+    std::vector<MemoryEntry> explainNoise(std::span<const std::byte> memory) const;
 
     /// Steps for robots that may differ: robots[i] is the index by InputReader::robotIndex.
-    void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps) const;
+    void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps,
+                 MotionDraw draw = MotionDraw::mean) const;
 
     /// How many networks it is the mean of; 0 where these are not known.
     std::size_t memberCount() const { return network_.members.size(); }
@@ -44,8 +56,14 @@ private:
     double value(const float* outputs, std::size_t index) const {
         return network_.outputs[index].mean + network_.outputs[index].scale * static_cast<double>(outputs[index]);
     }
-    MotionStep toStep(const MotionInput& input, int robot, const float* outputs) const;
+    /// `noise`: of the increment.
+    MotionStep toStep(const MotionInput& input, int robot, const float* outputs,
+                      const std::optional<Pose>& noise = std::nullopt) const;
     void remember(const MotionInput& input, const float* outputs) const;
+    /// Of the network that this is drawn by: with the outputs of the members where the noise needs them.
+    const MlpInference& inferenceFor(MotionDraw draw) const;
+    Pose incrementOf(const float* outputs) const { return {value(outputs, 0), value(outputs, 1), value(outputs, 2)}; }
+    std::optional<Pose> drawNoise(const MotionInput& input, const float* row, const float* outputs) const;
 
     MotionNetwork network_;
     InputReader inputs_;
@@ -58,32 +76,47 @@ private:
     static Decay decayOf(double timeConstant, double period);
     Decay decayV_, decayW_;
     std::vector<TrackerOffset> trackers_;  ///< by robot index
+    struct Noise {
+        NoiseTraitReader traits;
+        NoiseProcesses processes;
+        std::size_t members;  ///< how many of them it reads
+    };
+    std::optional<Noise> noise_;
 };
 
 /// The motion of one robot.
 class LearnedModel final : public MotionModel {
 public:
     /// A robot that the network was not learned from moves like the mean of those that it was.
-    LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot);
+    LearnedModel(std::shared_ptr<const LearnedMotion> motion, const std::string& robot,
+                 MotionDraw draw = MotionDraw::mean);
 
     const MotionNetwork& network() const { return motion_->network(); }
+    /// Noisy only where the network knows its noise.
+    MotionDraw draw() const { return draw_; }
+    /// The same robot, drawn otherwise.
+    std::shared_ptr<const LearnedModel> drawn(MotionDraw draw) const;
     int robot() const { return robot_; }  ///< by InputReader::robotIndex
     Nanoseconds period() const override { return network().period; }
     Nanoseconds lookBack() const override { return motion_->inputs().lookBack(); }
     DeadTimes deadTimes() const override { return deadTimes_; }
     bool sameAs(const MotionModel& other) const override;
-    std::size_t memorySize() const override { return sizeof(LearnedMotion::Memory); }
+    std::size_t memorySize() const override { return motion_->memorySize(draw_); }
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
-    /// Of the members about their mean (of a sample: divided by their number less one).
+    /// Of the members about their mean (of a sample: divided by their number less one), which the steps are.
     void predictWithSpread(std::span<const MotionInput> inputs, std::span<MotionStep> steps,
                            std::span<MotionSpread> spreads) const override;
 
 private:
     std::shared_ptr<const LearnedMotion> motion_;
     int robot_;
+    MotionDraw draw_;
     DeadTimes deadTimes_;
 };
+
+/// The mean in the place of a noisy learned model; any other model as it is.
+std::shared_ptr<const MotionModel> meanOf(std::shared_ptr<const MotionModel> model);
 
 /// The learned model that a robot is moved by, whatever is added to it; null where it is of another kind.
 const LearnedModel* learnedModel(const MotionModel& model);

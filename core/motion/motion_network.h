@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -60,6 +61,51 @@ struct TrackerOffset {
     }
 };
 
+/// What a period is like that the noise of its motion depends on, by its share of what the mean predicts.
+enum class NoiseTrait {
+    moving,         ///< 0 of a robot at rest, 1 of one that moves: steep at 5 mm/s and 0.05 rad/s
+    distance,       ///< m, forward or backward
+    rotation,       ///< rad, either way
+    unevennessV,    ///< m: by how much the commands vary that the network reads, summed, times the period
+    unevennessW,    ///< rad
+    forward,        ///< m; negative: backward
+    forwardChange,  ///< m, from the period before: commands that act early or late
+    headingChange,  ///< rad
+};
+constexpr std::size_t noiseTraitCount = 8;
+using NoiseTraits = std::array<double, noiseTraitCount>;
+
+/// By how much a real robot's motion differs from the mean that a network predicts, from run to run. To a period's
+/// increment is added exp(scale * z) times the sum of its processes (each its amplitude times n) and of the members'
+/// increments less the mean's (each times n, weight and 1/sqrt(members - 1)). Each z and n is normal with mean 0 and
+/// variance 1 and forgets itself exponentially with its time constant.
+struct ResidualNoise {
+    static constexpr std::size_t maxProcesses = 24, maxMembers = 64, maxValues = maxProcesses + maxMembers + 1;
+
+    enum class Axis { forward, left, heading };
+    struct Share {
+        NoiseTrait trait = NoiseTrait::moving;
+        double weight = 0;  ///< m or rad per unit of the trait, not negative
+        bool operator==(const Share&) const = default;
+    };
+    struct Process {
+        Axis axis = Axis::forward;
+        double time = 0;  ///< s, time constant; 0: periods are independent
+        std::vector<Share> amplitude;
+        bool operator==(const Process&) const = default;
+    };
+    /// A factor with a time constant, s.
+    struct Strength {
+        double weight = 0, time = 0;
+        bool operator==(const Strength&) const = default;
+    };
+    std::vector<Process> processes;
+    Strength members, scale;
+    double horizon = 0;         ///< s: how far rollouts went from whose errors it was learned
+    std::int64_t rollouts = 0;  ///< their number
+    bool operator==(const ResidualNoise&) const = default;
+};
+
 /// A learned motion model as a value: everything that its file holds. nets/README.md explains the file.
 struct MotionNetwork {
     enum class Form {
@@ -111,6 +157,8 @@ struct MotionNetwork {
         bool operator==(const Identified&) const = default;
     };
     std::vector<Identified> identified;
+
+    std::optional<ResidualNoise> noise;  ///< none: the mean alone is known
 
     NetworkTraining training;
 

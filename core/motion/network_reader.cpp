@@ -64,6 +64,9 @@ Expected<MotionNetwork> parseNetwork(std::string_view text, const std::string& f
     network.members = std::move(general->members);
     network.training = std::move(general->training);
     network.heldOut.part = general->holdOut;
+    if (network.noise && network.members.size() > ResidualNoise::maxMembers)
+        return fail(file, "is of " + std::to_string(network.members.size()) + " networks; noise is drawn of at most " +
+                              std::to_string(ResidualNoise::maxMembers));
     return network;
 }
 

@@ -55,6 +55,37 @@ MotionNetwork::Identified readIdentified(TomlTable& table) {
     return i;
 }
 
+ResidualNoise::Strength readStrength(TomlTable table) {
+    ResidualNoise::Strength s;
+    s.weight = table.number("weight", {0, 1e3});
+    s.time = table.number("time_s", {0, 1e6});
+    table.rejectUnknown();
+    return s;
+}
+
+ResidualNoise readNoise(TomlTable table) {
+    ResidualNoise noise;
+    noise.horizon = table.number("horizon_s", {0, 1e6});
+    noise.rollouts = table.integer("rollouts", 0, 1'000'000'000);
+    noise.scale = readStrength(table.table("scale"));
+    noise.members = readStrength(table.table("members"));
+    for (TomlTable& part : table.tables("processes")) {
+        ResidualNoise::Process process;
+        process.axis = static_cast<ResidualNoise::Axis>(part.choice("axis", noiseAxisNames));
+        process.time = part.number("time_s", {0, 1e6});
+        for (std::size_t t = 0; t < noiseTraitNames.size(); ++t)
+            if (part.has(noiseTraitNames[t]))
+                process.amplitude.push_back({static_cast<NoiseTrait>(t), part.number(noiseTraitNames[t], {0, 1e3})});
+        part.rejectUnknown();
+        noise.processes.push_back(std::move(process));
+    }
+    if (noise.processes.size() > ResidualNoise::maxProcesses)
+        table.reject("processes", "has " + std::to_string(noise.processes.size()) + " elements; expected at most " +
+                                      std::to_string(ResidualNoise::maxProcesses));
+    table.rejectUnknown();
+    return noise;
+}
+
 }  // namespace
 
 void readMotionBasics(TomlTable& table, MotionNetwork& network) {
@@ -82,6 +113,7 @@ void readMotionParts(TomlTable& table, MotionNetwork& network) {
         network.recovery = {part.number("v_s", {0, 10}), part.number("w_s", {0, 10})};
         part.rejectUnknown();
     }
+    if (table.has("noise")) network.noise = readNoise(table.table("noise"));
     if (table.has("identified"))
         for (TomlTable& part : table.tables("identified")) network.identified.push_back(readIdentified(part));
 }

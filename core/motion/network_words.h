@@ -18,6 +18,13 @@ constexpr std::array<std::string_view, 12> quantityNames{
     "velocity_v", "velocity_w",  "robot",      "command_v",    "command_w",    "turn_sense",
     "left_sine",  "left_cosine", "right_sine", "right_cosine", "forward_sine", "forward_cosine"};
 
+/// By NoiseTrait.
+constexpr std::array<std::string_view, noiseTraitCount> noiseTraitNames{
+    "moving", "distance", "rotation", "unevenness_v", "unevenness_w", "forward", "forward_change", "heading_change"};
+
+/// By ResidualNoise::Axis.
+constexpr std::array<std::string_view, 3> noiseAxisNames{"forward", "left", "heading"};
+
 /// By MotionNetwork::Form.
 constexpr std::array<std::string_view, 2> formNames{"state", "history"};
 

@@ -54,6 +54,25 @@ std::string heldOutErrorText(const MotionNetwork::HeldOut& h) {
            " } # open loop, of each member on what it did not learn from\n";
 }
 
+std::string strengthText(const ResidualNoise::Strength& s) {
+    return "{ weight = " + numberText(s.weight) + ", time_s = " + numberText(s.time) + " }";
+}
+
+std::string noiseText(const ResidualNoise& noise) {
+    std::string text = "\n[motion.noise] # how real runs differ from the mean\n" + line("horizon_s", noise.horizon) +
+                       line("rollouts", std::to_string(noise.rollouts)) + line("scale", strengthText(noise.scale)) +
+                       line("members", strengthText(noise.members)) + "processes = [ # m or rad a period\n";
+    for (const ResidualNoise::Process& process : noise.processes) {
+        text += "  { axis = " + tomlString(noiseAxisNames[static_cast<std::size_t>(process.axis)]) +
+                ", time_s = " + numberText(process.time);
+        for (const ResidualNoise::Share& share : process.amplitude)
+            text += ", " + std::string(noiseTraitNames[static_cast<std::size_t>(share.trait)]) + " = " +
+                    numberText(share.weight);
+        text += " },\n";
+    }
+    return text + "]\n";
+}
+
 std::string sectionText(const MotionNetwork& network) {
     std::string robots;
     for (const std::string& robot : network.robots) robots += (robots.empty() ? "" : ", ") + tomlString(robot);
@@ -70,6 +89,7 @@ std::string sectionText(const MotionNetwork& network) {
     if (network.drive)
         text += "\n[motion.drive] # fitted to the logs' wheel commands\n" +
                 line("wheel_radius_m", network.drive->wheelRadius) + line("track_m", network.drive->track);
+    if (network.noise) text += noiseText(*network.noise);
     for (const MotionNetwork::Identified& identified : network.identified) text += identifiedText(identified);
     return text;
 }

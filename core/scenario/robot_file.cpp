@@ -137,13 +137,19 @@ void readMotion(TomlTable& root, RobotDescription& robot, const DescriptionFile&
         readLearned(root, table, robot, file, library, deadTimes);
 }
 
-MotionNoise readMotionNoise(TomlTable table) {
-    MotionNoise noise;
+/// The noise that a network has learned is drawn unless the file says otherwise, or has constant noise in its place.
+void readMotionNoise(TomlTable table, RobotDescription& robot) {
+    MotionNoise& noise = robot.motionNoise;
     noise.distancePerDistance = table.numberOr("distance_per_distance", 0, {0, 1});
     noise.rotationPerRotation = table.numberOr("rotation_per_rotation", 0, {0, 1});
     noise.rotationPerDistance = angleOr(table, "rotation_per_distance_degpm", 0, {0, 360});
+    const bool known = robot.motion && robot.motion->network().noise;
+    const bool learned = table.has("learned") ? table.boolean("learned") : noise.none();
+    if (learned && !known && table.has("learned"))
+        table.reject("learned", robot.motion ? "is true; the network knows its mean alone"
+                                             : "is true; the robot does not move by a network");
+    robot.motionDraw = learned ? MotionDraw::noisy : MotionDraw::mean;
     table.rejectUnknown();
-    return noise;
 }
 
 Manipulator readManipulator(TomlTable& table, const DeadTimes& deadTimes) {
@@ -188,7 +194,7 @@ Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary
     type.surface = surfaceOr(root, "surface", type.surface);
     if (!root.failed()) readMotion(root, robot, *file, library, deadTimes);
     robot.deadTime = (deadTimes.v + deadTimes.w) / 2;
-    robot.motionNoise = readMotionNoise(root.tableOrEmpty("motion_noise"));
+    readMotionNoise(root.tableOrEmpty("motion_noise"), robot);
     readManipulators(root, type, deadTimes);
     type.perception = readPerception(root.tableOrEmpty("perception"));
     type.sensors = readSensors(root.tablesOrNone("sensor"), library.sensorSources(file->name, type.shape));

@@ -20,6 +20,7 @@ struct RobotDescription {
     std::string motionRobot;                      ///< which of the network's robots it is; "": the mean of them
     std::shared_ptr<const MotionModel> model;     ///< kinematics or the reference robot; null where it is learned
     MotionNoise motionNoise;                      ///< on either
+    MotionDraw motionDraw = MotionDraw::mean;     ///< of the learned one
 
     Value::File file;               ///< what it was read from, with all that this names
     std::optional<RobotKind> kind;  ///< what logs and networks call such robots; nullopt where the file does not say

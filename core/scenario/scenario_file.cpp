@@ -57,7 +57,8 @@ private:
     const RobotDescription* robotDescription(TomlTable& table);
     const RobotDescription* withOwnNetwork(TomlTable& table, const RobotDescription* robot);
     std::uint32_t typeIndex(const RobotDescription& robot, bool person);
-    std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot);
+    MotionDraw motionDraw(TomlTable& table, const RobotDescription& robot, bool playsLog);
+    std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot, MotionDraw draw);
     std::string motionRobot(TomlTable& table, const RobotDescription& robot);
     std::int64_t phase(TomlTable& table, const MotionModel& model);
     void readNumber(TomlTable& table, SceneRobot& robot);
@@ -82,7 +83,7 @@ private:
     std::map<Value::File, RobotDescription> descriptions_;
     std::map<std::pair<const RobotDescription*, const MotionNetwork*>, RobotDescription> moved_;  ///< by own networks
     std::map<std::pair<const RobotDescription*, bool>, std::uint32_t> types_;
-    std::map<std::tuple<const void*, std::string, MotionNoise>, std::uint32_t> models_;
+    std::map<std::tuple<const void*, std::string, MotionNoise, MotionDraw>, std::uint32_t> models_;
 };
 
 void ScenarioReader::readRun() {
@@ -182,13 +183,23 @@ std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription
     return chosen;
 }
 
-std::uint32_t ScenarioReader::modelIndex(const RobotDescription& robot, const std::string& motionRobot) {
+/// A robot that plays a log is compared with the real one: it moves by the mean.
+MotionDraw ScenarioReader::motionDraw(TomlTable& table, const RobotDescription& robot, bool playsLog) {
+    if (!table.has("learned_noise")) return playsLog ? MotionDraw::mean : robot.motionDraw;
+    const bool drawn = table.boolean("learned_noise");
+    if (drawn && !(robot.motion && robot.motion->network().noise))
+        table.reject("learned_noise", "is true; the robot moves by no network that knows its noise");
+    return drawn ? MotionDraw::noisy : MotionDraw::mean;
+}
+
+std::uint32_t ScenarioReader::modelIndex(const RobotDescription& robot, const std::string& motionRobot,
+                                         MotionDraw draw) {
     const void* const motion = robot.motion ? static_cast<const void*>(robot.motion.get()) : robot.model.get();
-    const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, robot.motionNoise),
+    const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, robot.motionNoise, draw),
                                                 static_cast<std::uint32_t>(scene_.models.size()));
     if (!added) return model->second;
     std::shared_ptr<const MotionModel> own = robot.model;
-    if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot);
+    if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot, draw);
     scene_.models.push_back(withNoise(std::move(own), robot.motionNoise));
     return model->second;
 }
@@ -230,12 +241,12 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
                                  "; expected a multiple of tick_s = " + plainSeconds(scene_.tickLength));
     body.type = typeIndex(*kind, person);
     body.motionRobot = motionRobot(table, *robot);
-    body.model = modelIndex(*robot, body.motionRobot);
     ControllerSetting setting{noController()};
     if (table.has("controller"))
         setting = readController(table.table("controller"),
                                  {*robot, ballRadius(), walls_, scene_.environment, robots_, scene_.robots.size()},
                                  name_, library_, loading_);
+    body.model = modelIndex(*robot, body.motionRobot, motionDraw(table, *robot, setting.played.has_value()));
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else

@@ -42,10 +42,10 @@ Expected<std::shared_ptr<const LearnedMotion>> openNetwork(const std::string& pa
     return std::make_shared<const LearnedMotion>(std::move(*network));
 }
 
-RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log) {
+RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log, MotionDraw draw) {
     RobotModels models{motion->network().form == MotionNetwork::Form::state ? "paper's network" : "network", {}};
     for (const RobotLog& robot : log.robots)
-        models.byRobot.emplace(robot.robot, std::make_unique<LearnedModel>(motion, robot.robot));
+        models.byRobot.emplace(robot.robot, std::make_unique<LearnedModel>(motion, robot.robot, draw));
     return models;
 }
 

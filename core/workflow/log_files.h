@@ -26,7 +26,8 @@ struct RobotModels {
     std::string name;
     std::map<std::string, std::unique_ptr<MotionModel>> byRobot;
 };
-RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log);
+RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log,
+                          MotionDraw draw = MotionDraw::mean);
 /// The view that an evaluation takes; `models` must outlive it.
 NamedModel named(const RobotModels& models);
 

@@ -24,12 +24,27 @@ Expected<std::vector<WindowRequest>> requestedWindows(const PredictRequest& requ
     return windows;
 }
 
-Expected<int> stepsOf(double seconds, Nanoseconds step) {
+Expected<int> stepsOf(double seconds, Nanoseconds step, const std::string& key) {
     const Nanoseconds horizon = fromSeconds(seconds);
     if (horizon % step != 0)
-        return fail({}, secondsText(horizon) + " s is no whole number of steps of " + secondsText(step) + " s", 0,
-                    "horizon");
+        return fail({}, secondsText(horizon) + " s is no whole number of steps of " + secondsText(step) + " s", 0, key);
     return static_cast<int>(horizon / step);
+}
+
+/// The steps whose poses are asked for.
+Expected<std::vector<std::size_t>> instantsOf(const PredictRequest& request, int steps, Nanoseconds step) {
+    std::vector<std::size_t> instants;
+    for (const double seconds : request.at) {
+        const auto instant = stepsOf(seconds, step, "at");
+        if (!instant) return tl::unexpected(instant.error());
+        if (*instant < 1 || *instant > steps)
+            return fail({},
+                        secondsText(fromSeconds(seconds)) + " s is not within a window of " +
+                            secondsText(fromSeconds(request.horizon)) + " s",
+                        0, "at");
+        instants.push_back(static_cast<std::size_t>(*instant));
+    }
+    return instants;
 }
 
 }  // namespace
@@ -46,19 +61,28 @@ Expected<PredictedWindows> predictWindows(const PredictRequest& request, const P
     if (!log) return tl::unexpected(log.error());
     const auto windows = requestedWindows(request);
     if (!windows) return tl::unexpected(windows.error());
-    const RolloutOptions options;
-    const auto steps = stepsOf(request.horizon, options.step);
+    if (request.samples > 0 && !(*motion)->network().noise)
+        return fail(request.network, "knows its mean alone; samples need a network that was learned with its noise");
+    RolloutOptions options;
+    const auto steps = stepsOf(request.horizon, options.step, "horizon");
     if (!steps) return tl::unexpected(steps.error());
+    auto instants = instantsOf(request, *steps, options.step);
+    if (!instants) return tl::unexpected(instants.error());
     const auto starts = requestedStarts(*log, *windows, *steps, request.windows);
     if (!starts) return tl::unexpected(starts.error());
-    if (!mayGoOn(progress, 0)) return fail(log->source, "was not predicted: cancelled");
-    const RobotModels models = learnedModels(*motion, *log);
-    const auto predicted = rollOut(named(models), *log, starts->starts, starts->robots, options);
-    if (!predicted) return tl::unexpected(predicted.error());
-    if (!mayGoOn(progress, 1)) return fail(log->source, "was not predicted: cancelled");
-    PredictedWindows result{predicted->size(),
-                            predictionsCsv(*log, starts->starts, starts->robots, *predicted, options.step),
-                            log->incomplete};
+    const bool sampled = request.samples > 0;
+    const RobotModels models = learnedModels(*motion, *log, sampled ? MotionDraw::noisy : MotionDraw::mean);
+    PredictionsCsv rows(*log, *starts, options.step, sampled, std::move(*instants));
+    const int runs = std::max(1, request.samples);
+    for (int k = 0; k <= runs; ++k) {
+        if (!mayGoOn(progress, static_cast<double>(k) / runs)) return fail(log->source, "was not predicted: cancelled");
+        if (k == runs) break;
+        if (sampled) options.seed = static_cast<std::uint64_t>(k);
+        const auto predicted = rollOut(named(models), *log, starts->starts, starts->robots, options);
+        if (!predicted) return tl::unexpected(predicted.error());
+        rows.add(*predicted, k);
+    }
+    PredictedWindows result{starts->starts.size(), rows.text(), log->incomplete};
     for (std::string& notice : noticesOf((*motion)->network(), *log)) result.notices.push_back(std::move(notice));
     if (!request.output.empty())
         if (auto written = writeFileAtomically(request.output, result.csv); !written)

@@ -12,10 +12,12 @@ namespace mrose {
 struct PredictRequest {
     std::string network, log;
     std::string windows;                   ///< a file that says which: readWindows()
-    std::string output;                    ///< the CSV file of poses (predictionsCsv()); empty: it is written nowhere
+    std::string output;                    ///< the CSV file of poses (PredictionsCsv); empty: it is written nowhere
     bool overwrite = false;                ///< of a file that is there already
     std::vector<std::string> robots = {};  ///< of the log, by name; empty: all
     double horizon = 10;                   ///< of a window, s
+    int samples = 0;                       ///< of each window, the k-th that of a run with seed k; 0: the mean alone
+    std::vector<double> at = {};           ///< s after a window's start that are written; empty: every step
 };
 
 struct PredictedWindows {
@@ -24,7 +26,8 @@ struct PredictedWindows {
     std::vector<std::string> notices;  ///< what must be known before they are believed
 };
 
-/// Error: a file; the horizon is no whole number of steps; a window that the log does not have; it was cancelled.
+/// Error: a file; the horizon or an instant is no whole number of steps; samples of a network without noise; a window
+/// that the log does not have; it was cancelled.
 Expected<PredictedWindows> predictWindows(const PredictRequest& request, const Progress& progress = {});
 
 }  // namespace mrose

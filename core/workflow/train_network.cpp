@@ -5,6 +5,7 @@
 
 #include "identification/recipes.h"
 #include "identification/robot_identification.h"
+#include "workflow/learn_noise.h"
 #include "workflow/outputs.h"
 #include "workflow/resources.h"
 
@@ -165,8 +166,22 @@ Expected<TrainedNetwork> learnFrom(const LearningLogs& opened, const TrainReques
     blueprint.heldOut.part = data->holdOut;
     addOrigin(blueprint, opened, request);
     if (!mayGoOn(progress.prepares, 1)) return fail(first, "was not learned from: cancelled");
-    auto trained = trainNetwork(blueprint, *samples, options, progress.learns);
+    const bool withNoise = request.noise.value_or(request.recipe != NetworkRecipe::paper);
+    const auto learnsAfter = [&](int members) {
+        return [&, members](NetworkProgress p) {
+            p.member += members;
+            p.members = options.members * (withNoise ? 1 + noiseParts : 1);
+            return !progress.learns || progress.learns(p);
+        };
+    };
+    auto trained = trainNetwork(blueprint, *samples, options, learnsAfter(0));
     if (!trained) return atFile(trained.error(), first);
+    if (!withNoise || trained->cancelled) return trained;
+    LearnedNoise learned =
+        learnNoise(std::move(data->logs), blueprint, sampling, options, learnsAfter(options.members), progress.fits);
+    trained->network.noise = std::move(learned.noise);
+    trained->withoutNoise = std::move(learned.missing);
+    trained->cancelled = learned.cancelled;
     return trained;
 }
 

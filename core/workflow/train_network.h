@@ -31,6 +31,7 @@ struct TrainRequest {
     int chain = 0;                                          ///< periods of a rollout that is learned from
     int folds = 4;
     std::optional<double> deadTimeV = {}, deadTimeW = {}, lagV = {}, lagW = {};  ///< s; otherwise those identified
+    std::optional<bool> noise = {};  ///< whether it is learned too; by default of all recipes but the paper's
     std::uint64_t seed = 1;
     std::string command = {};  ///< what the network says that it was made by
 };
@@ -39,13 +40,15 @@ struct TrainRequest {
 struct TrainProgress {
     /// What is missing of the logs, a sentence each, as soon as they are read.
     std::function<void(const std::vector<std::string>& notes)> opened = {};
-    NetworkProgressCallback learns = {};
-    Progress prepares = {};  ///< before that
+    NetworkProgressCallback learns = {};  ///< of the members of all networks that are learned, for the noise too
+    Progress prepares = {};               ///< before that
+    Progress fits = {};                   ///< the noise, after that
 };
 
 /// Reads the logs, identifies what the recipe needs, learns, and writes the network. Ended while it learns, the best
-/// network so far is the result, and written. Error: of the logs, openLearningLogs(); of the kind of robot; the file
-/// cannot be written, is there already or one of the logs; too little to learn from; it was cancelled before.
+/// network so far is the result, and written, without noise. Error: of the logs, openLearningLogs(); of the kind of
+/// robot; the file cannot be written, is there already or one of the logs; too little to learn from; it was cancelled
+/// before.
 Expected<TrainedNetwork> trainNetwork(const TrainRequest& request, const TrainProgress& progress = {});
 
 /// Error, without a file and with the flag as its key: what does not go together.

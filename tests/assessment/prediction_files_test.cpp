@@ -80,13 +80,29 @@ TEST(RequestedStarts, AreRefusedWithTheRequestsLine) {
 
 TEST(Predictions, HaveOneRowPerStep) {
     const Log log = logOf({obedientTrajectory(0, 20 * second, [](double) { return Command{0.1, 0}; })});
-    const RolloutStart start{&log.robots[0].trajectories[0], 1'250'000'000, {}, {}, 2};
-    const std::size_t robot = 0;
-    const std::vector<Pose> poses{{1, -2, 3}, {0.12345678, 0, -1e-9}};
-    EXPECT_EQ(predictionsCsv(log, {&start, 1}, {&robot, 1}, {&poses, 1}, 100'000'000),
+    const RequestedStarts requested{{{&log.robots[0].trajectories[0], 1'250'000'000, {}, {}, 2}}, {0}};
+    const std::vector<std::vector<Pose>> poses{{{1, -2, 3}, {0.12345678, 0, -1e-9}}};
+    PredictionsCsv rows(log, requested, 100'000'000, false, {});
+    rows.add(poses);
+    EXPECT_EQ(rows.text(),
               "dataset,robot,t_start,t,x,y,heading\n"
               "0,r,1.25,0.1,1.0000000,-2.0000000,3.0000000\n"
               "0,r,1.25,0.2,0.1234568,0.0000000,0.0000000\n");
+}
+
+TEST(Predictions, OfSamplesAreByWindowAndHaveTheStepsAskedFor) {
+    const Log log = logOf({obedientTrajectory(0, 20 * second, [](double) { return Command{0.1, 0}; })});
+    const Trajectory* const whole = &log.robots[0].trajectories[0];
+    const RequestedStarts requested{{{whole, 1'250'000'000, {}, {}, 2}, {whole, 2'000'000'000, {}, {}, 2}}, {0, 0}};
+    PredictionsCsv rows(log, requested, 100'000'000, true, {2});
+    rows.add(std::vector<std::vector<Pose>>{{{}, {1, 0, 0}}, {{}, {2, 0, 0}}}, 0);
+    rows.add(std::vector<std::vector<Pose>>{{{}, {3, 0, 0}}, {{}, {4, 0, 0}}}, 1);
+    EXPECT_EQ(rows.text(),
+              "dataset,robot,t_start,sample,t,x,y,heading\n"
+              "0,r,1.25,0,0.2,1.0000000,0.0000000,0.0000000\n"
+              "0,r,1.25,1,0.2,3.0000000,0.0000000,0.0000000\n"
+              "0,r,2.0,0,0.2,2.0000000,0.0000000,0.0000000\n"
+              "0,r,2.0,1,0.2,4.0000000,0.0000000,0.0000000\n");
 }
 
 TEST(SecondsText, LosesNothing) {

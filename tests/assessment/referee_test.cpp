@@ -72,11 +72,12 @@ TEST_P(Referee, FindsTheSameErrors) {
     const NamedModel named = NamedModel::same("velocity = command", model);
     const auto evaluation = evaluate(log_, {&named, 1}, {.robots = robots_, .withFloor = false});
     ASSERT_TRUE(evaluation) << evaluation.error().message();
-    std::vector<std::size_t> indices;
-    for (const Window& window : evaluation->log.windows) indices.push_back(window.robot);
+    RequestedStarts requested{rolloutStarts(log_, evaluation->log.windows), {}};
+    for (const Window& window : evaluation->log.windows) requested.robots.push_back(window.robot);
+    PredictionsCsv rows(log_, requested, 100'000'000, false, {});
+    rows.add(evaluation->models[0].predicted);
     const auto file = std::filesystem::temp_directory_path() / ("mrose_referee_" + std::to_string(getpid()) + ".csv");
-    ASSERT_TRUE(writeFileAtomically(file, predictionsCsv(log_, rolloutStarts(log_, evaluation->log.windows), indices,
-                                                         evaluation->models[0].predicted, 100'000'000)));
+    ASSERT_TRUE(writeFileAtomically(file, rows.text()));
     const auto verdict = ask("score", "'" + file.string() + "'");
     std::filesystem::remove(file);
     ASSERT_TRUE(verdict);

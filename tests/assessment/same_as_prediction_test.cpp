@@ -5,8 +5,10 @@
 #include "assessment/played_scenarios.h"
 #include "assessment/test_models.h"
 #include "logs/log_reader.h"
+#include "simulation/step.h"
 #include "support/places.h"
 #include "support/test_data.h"
+#include "support/units.h"
 
 namespace mrose {
 namespace {
@@ -121,6 +123,38 @@ TEST(SameAsPrediction, WhereTheStartsVelocityIsUnknownAndWhereTheCommandWasLongI
         EXPECT_EQ(expectEqual(log, models, *comparison).rollouts, 2u);
         EXPECT_EQ(comparison->rollouts[0].simulated[0] != trajectory.poses[0].pose, steady) << "dead time";
     }
+}
+
+/// Sample k of a prediction is the run with seed k.
+TEST(SameAsPrediction, OfARunWithItsNoiseForAnySeed) {
+    const Log log = shippedLog();
+    auto network = loadNetwork(sourceFolder() / "nets" / "create.net");
+    ASSERT_TRUE(network) << network.error().message();
+    ASSERT_TRUE(network->noise);
+    const auto motion = std::make_shared<const LearnedMotion>(std::move(*network));
+    const Models models{std::make_shared<const LearnedModel>(motion, "any", MotionDraw::noisy)};
+    const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
+    ASSERT_TRUE(world) << world.error().message();
+    constexpr int steps = 60;
+    std::vector<std::vector<Pose>> runs;
+    for (const std::uint64_t seed : {0u, 7u}) {
+        const LogWorld::Opened opened = world->openAt(0, 2 * second, steps * 100 * ms, seed);
+        ASSERT_TRUE(opened.starts[0]);
+        RolloutStart start = *opened.starts[0];
+        start.steps = steps;
+        const auto predicted = rollOut(*models[0], {&start, 1}, {.seed = seed});
+        ASSERT_TRUE(predicted) << predicted.error().message();
+        WorldState state = opened.state;
+        StepBuffers buffers;
+        std::vector<Pose> poses;
+        for (int tick = 1; tick <= 5 * steps; ++tick) {
+            step(*opened.scenario, state, buffers);
+            if (tick % 5 == 0) poses.push_back(state.robots[0].pose);
+        }
+        EXPECT_EQ(poses, predicted->front());
+        runs.push_back(poses);
+    }
+    EXPECT_NE(runs[0], runs[1]);
 }
 
 }  // namespace

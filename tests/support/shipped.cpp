@@ -29,8 +29,8 @@ RobotDescription shippedRobot(const std::string& name) {
 std::shared_ptr<const MotionModel> motionOf(const RobotDescription& description, const std::string& robot) {
     std::shared_ptr<const MotionModel> model = description.model;
     if (description.motion)
-        model =
-            std::make_shared<const LearnedModel>(description.motion, robot.empty() ? description.motionRobot : robot);
+        model = std::make_shared<const LearnedModel>(
+            description.motion, robot.empty() ? description.motionRobot : robot, description.motionDraw);
     return withNoise(std::move(model), description.motionNoise);
 }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "logs/csv_writer.h"
+#include "logs/log_reader.h"
 #include "support/places.h"
 #include "support/workshop.h"
 #include "workflow/compare_log.h"
@@ -64,6 +66,53 @@ TEST_F(Judging, WindowsArePredictedStepByStep) {
     request.overwrite = true;
     request.output = request.windows;
     expectError(predictWindows(request), request.windows, {"is read by this command"});
+}
+
+TEST_F(Judging, SamplesArePredictedOfTheInstantsAskedFor) {
+    PredictRequest request{network(), log(), windows()};
+    request.samples = 3;
+    request.at = {1, 10};
+    const auto predicted = predictWindows(request);
+    ASSERT_TRUE(predicted) << predicted.error().message();
+    EXPECT_EQ(std::count(predicted->csv.begin(), predicted->csv.end(), '\n'), 1 + 4 * 3 * 2);
+    EXPECT_EQ(firstLines(predicted->csv, 1), "dataset,robot,t_start,sample,t,x,y,heading,trajectory\n");
+}
+
+TEST_F(Judging, SamplesDoNotReadWhatTheRobotDidAfterTheirStart) {
+    auto known = readLog(log());
+    ASSERT_TRUE(known) << known.error().message();
+    const auto predicted = [&](const std::string& name) {
+        EXPECT_TRUE(writeCsv(path(name), *known));
+        PredictRequest request{network(), path(name), windows()};
+        request.samples = 3;
+        const auto samples = predictWindows(request);
+        EXPECT_TRUE(samples) << samples.error().message();
+        return samples ? samples->csv : std::string();
+    };
+    const std::string before = predicted("known.csv");
+    const Nanoseconds start = fromSeconds(1'700'000'003.5);
+    for (Trajectory& trajectory : known->robots.front().trajectories)
+        for (StampedPose& stamped : trajectory.poses)
+            if (stamped.time > start) stamped.pose.x += 0.3;
+    EXPECT_EQ(predicted("garbled.csv"), before);
+    for (Trajectory& trajectory : known->robots.front().trajectories)
+        for (StampedPose& stamped : trajectory.poses) stamped.pose.x += 0.3;
+    EXPECT_NE(predicted("moved.csv"), before) << "what was known enters";
+}
+
+TEST_F(Judging, SamplesNeedANetworkThatKnowsItsNoise) {
+    TrainRequest alone = training(log(), path("mean.net"));
+    alone.noise = false;
+    ASSERT_TRUE(trainNetwork(alone));
+    PredictRequest request{path("mean.net"), log(), windows()};
+    ASSERT_TRUE(predictWindows(request));
+    request.samples = 2;
+    expectError(predictWindows(request), path("mean.net"), {"knows its mean alone"});
+    request.network = network();
+    request.at = {10.5};
+    expectError(predictWindows(request), "", {"at: 10.5 s is not within a window of 10"});
+    request.at = {0.05};
+    expectError(predictWindows(request), "", {"at: 0.05 s is no whole number of steps"});
 }
 
 TEST_F(Judging, PredictionIsEndedByItsProgress) {
