@@ -104,8 +104,13 @@ private:
     }
 
     void add(const CommandHistory& history, std::size_t i) {
-        MotionSample sample{fine_.time(i), relative(fine_.poses[i], fine_.poses[i + stride()]), velocityAt(i),
-                            velocityAt(i + stride())};
+        MotionSample sample{fine_.time(i),
+                            relative(fine_.poses[i], fine_.poses[i + stride()]),
+                            velocityAt(i),
+                            velocityAt(i + stride()),
+                            {}};
+        if (options_.measuredStarts)
+            sample.measured = relative(fine_.poses[i], measuredStart(trajectory_, sample.start).pose);
         out_.samples.push_back(sample);
         out_.inputs.resize(out_.inputs.size() + out_.width);
         reader_.readRaw({&history, sample.start, sample.before}, robot_,

@@ -15,6 +15,7 @@ struct MotionSample {
     Nanoseconds start = 0;
     Pose increment;          ///< over the period, in the robot's frame at its start
     Velocity before, after;  ///< at the period's start and end
+    Pose measured;           ///< what measuredStart says of the start, in the frame of the truth; if it is asked for
 };
 
 /// Consecutive periods without a gap, of one robot.
@@ -42,6 +43,7 @@ struct SampleOptions {
     HoldOut heldOut{};  ///< groups that are not among the logs: the others are divided evenly
     double block = 44;  ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
                         ///< belongs to one fold with all of its group
+    bool measuredStarts = false;  ///< MotionSample::measured
 };
 
 /// The patterns of one or several logs.

@@ -348,9 +348,11 @@ void addResidualRollouts(const MotionNetwork& network, const MotionSamples& samp
     rollouts.length = length;
     rollouts.members = members;
     std::vector<float> row(samples.width);
+    const std::vector<std::size_t>& starts = batch.starts();
     for (std::size_t chain = 0; chain < batch.chains(); ++chain) {
         const auto truth = batch.truth(chain);
-        rollouts.truth.insert(rollouts.truth.end(), truth.begin(), truth.end());
+        rollouts.truth.push_back(relative(samples.samples[starts[chain]].measured, truth.front()));
+        rollouts.truth.insert(rollouts.truth.end(), truth.begin() + 1, truth.end());
         for (std::size_t k = 0; k < length; ++k) {
             const Pose& mean = pass.increments[chain * length + k];
             const Pose& previous = k > 0 ? pass.increments[chain * length + k - 1] : mean;

@@ -30,6 +30,7 @@ public:
 
     std::size_t chains() const { return starts_.size(); }
     std::size_t length() const { return length_; }
+    const std::vector<std::size_t>& starts() const { return starts_; }
 
     /// Predicted increments of all chains [chains][length].
     std::vector<Pose> predict(const MlpGradient& engine, std::span<const float> parameters) const;

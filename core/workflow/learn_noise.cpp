@@ -115,6 +115,7 @@ Expected<Judged> learnWithout(int part, const std::vector<Log>& logs, const Moti
     if (!trained) return tl::unexpected(trained.error());
     own.phases = std::min(sampling.phases, 2);
     own.folds = 1;
+    own.measuredStarts = true;
     auto unseen = motionSamples(division->rest, trained->network, own);
     if (!unseen) return tl::unexpected(unseen.error());
     removeTrackerOffsets(*unseen);

@@ -4,6 +4,7 @@
 #include "behaviour/command_player.h"
 #include "behaviour/go_to_pose.h"
 #include "behaviour/wander.h"
+#include "motion/learned_model.h"
 #include "simulation/small_world.h"
 #include "support/shipped.h"
 
@@ -55,7 +56,7 @@ Scenario shippedCrowd(bool noise) {
         const Pose start{0.75 + 1.1 * static_cast<double>(i % 5), 0.7 + 1.25 * static_cast<double>(i / 5),
                          1.3 * static_cast<double>(i)};
         world.robot(kinds[i].type, start, noise ? controllers[i % controllers.size()] : wild,
-                    noise ? kinds[i].model : withNoise(kinds[i].model, {}), static_cast<std::int64_t>(i % 5));
+                    noise ? kinds[i].model : meanOf(withNoise(kinds[i].model, {})), static_cast<std::int64_t>(i % 5));
     }
     ObjectType ball = ballType(), box = boxType();
     ball.shape = shippedShape("ball");
