@@ -48,8 +48,7 @@ LearnedMotion::LearnedMotion(MotionNetwork network)
             trackers_[static_cast<std::size_t>(robot)] = identified.tracker;
     if (network_.noise)
         noise_.emplace(Noise{NoiseTraitReader(network_),
-                             NoiseProcesses(*network_.noise, network_.members.size(), toSeconds(network_.period)),
-                             network_.noise->members.weight == 0 ? 0 : network_.members.size()});
+                             NoiseProcesses(*network_.noise, network_.members.size(), toSeconds(network_.period))});
 }
 
 namespace {
@@ -72,7 +71,7 @@ std::size_t LearnedMotion::memorySize(MotionDraw draw) const {
 }
 
 const MlpInference& LearnedMotion::inferenceFor(MotionDraw draw) const {
-    return draw == MotionDraw::noisy && noise_ && noise_->members > 0 ? *withMembers_ : inference_;
+    return draw == MotionDraw::noisy && noise_ && noise_->processes.members() > 0 ? *withMembers_ : inference_;
 }
 
 std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const float* row, const float* outputs) const {
@@ -88,13 +87,13 @@ std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const flo
     if (kept) *before = {static_cast<float>(mean.x), static_cast<float>(mean.heading)};
     std::array<Pose, ResidualNoise::maxMembers> members;
     const std::size_t outputCount = network_.outputs.size();
-    for (std::size_t m = 0; m < noise_->members; ++m) {
+    for (std::size_t m = 0; m < noise_->processes.members(); ++m) {
         const float* const member = outputs + outputCount + m * network_.members.front().outputBiases.size();
         const Pose increment = incrementOf(member);
         members[m] = {increment.x - mean.x, increment.y - mean.y, increment.heading - mean.heading};
     }
     return noise_->processes.noise(values, noise_->traits.read(row, mean, previous),
-                                   std::span(members).first(noise_->members));
+                                   std::span(members).first(noise_->processes.members()));
 }
 
 std::vector<MemoryEntry> LearnedMotion::explainNoise(std::span<const std::byte> memory) const {

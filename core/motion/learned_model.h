@@ -79,7 +79,6 @@ private:
     struct Noise {
         NoiseTraitReader traits;
         NoiseProcesses processes;
-        std::size_t members;  ///< how many of them it reads
     };
     std::optional<Noise> noise_;
 };

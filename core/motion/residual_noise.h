@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "geometry/pose.h"
@@ -12,8 +11,8 @@
 
 namespace mrose {
 
-/// How much of each NoiseTrait there is in a period, which comes after one of the increment `previous` (zero at first).
-/// `row`: the network's standardised inputs.
+/// How much of each NoiseTrait there is in a period, which comes after one of the increment `previous` (at first the
+/// same). `row`: the network's standardised inputs.
 class NoiseTraitReader {
 public:
     explicit NoiseTraitReader(const MotionNetwork& network);
@@ -38,6 +37,8 @@ public:
     NoiseProcesses(const ResidualNoise& noise, std::size_t members, double period);
 
     std::size_t values() const { return decays_.size(); }
+    /// How many of the ensemble's members it reads: all or none.
+    std::size_t members() const { return members_; }
 
     /// The values a period later; the first ones where nothing has `begun`. Draws channels key.channel + 0, 1, ... of
     /// the key, one for every eight values.

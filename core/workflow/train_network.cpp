@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/learn_noise.h"
 #include "identification/recipes.h"
 #include "identification/robot_identification.h"
-#include "workflow/learn_noise.h"
 #include "workflow/outputs.h"
 #include "workflow/resources.h"
 

@@ -1,4 +1,4 @@
-#include "workflow/learn_noise.h"
+#include "identification/learn_noise.h"
 
 #include <algorithm>
 #include <array>
