@@ -47,8 +47,9 @@ void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags) {
     sub.add_option(
            "--bound-position", flags.position,
            "A robot farther off than this, in m, has left the real trajectory (0.1 beside --bound-heading); without "
-           "both, one that is off by three times what its network's held-out errors make of the path and "
-           "rotation so far, or by 0.1 m or 10 degrees where it has none")
+           "both, one that is farther off than 99 of 100 runs of such a robot, by the noise of its network; where it "
+           "knows none, by three times what its held-out errors make of the path and rotation so far, or by 0.1 m or "
+           "10 degrees")
         ->check(numberRange(1e-4, 1e4));
     sub.add_option("--bound-heading", flags.heading,
                    "Likewise a heading farther off than this, in degrees (10 beside --bound-position)")
@@ -65,7 +66,9 @@ void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags) {
 void printDivergences(const Comparison& comparison, const ComparedDivergences& divergences) {
     std::printf("\n%s\n", boundText(divergences).c_str());
     if (divergences.rollouts.empty()) {
-        std::puts("No robot leaves the real trajectory.");
+        std::puts(divergences.source == BoundSource::noise
+                      ? "No robot leaves the real trajectory: all stay within what such robots differ from themselves."
+                      : "No robot leaves the real trajectory.");
         return;
     }
     if (comparison.requests.size() > 1) {

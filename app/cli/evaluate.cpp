@@ -42,6 +42,23 @@ void printStates(const Evaluation& evaluation) {
                 table.text().c_str(), secondsText(evaluation.log.options.step, 1).c_str());
 }
 
+/// What the networks' noise is worth.
+void printForecasts(const Evaluation& evaluation) {
+    if (evaluation.forecasts.empty()) return;
+    TextTable table({"", "energy cm", "heading deg", "moves cm", "miss"});
+    for (const Forecast& forecast : evaluation.forecasts)
+        table.add({forecast.name, fixed(100 * forecast.energy(), 2), fixed(degrees * forecast.heading(), 2),
+                   fixed(100 * forecast.moves, 2), knownText(forecast.miss(), 1)});
+    std::string instants;
+    for (const ForecastAt& at : evaluation.forecasts.front().at)
+        instants += (instants.empty() ? "" : ", ") + secondsText(at.time, at.time % nanosecondsPerSecond == 0 ? 0 : 1);
+    std::printf(
+        "\n%s\n%d runs of each window, judged after %s s. energy, heading: sums of the position's energy score and of "
+        "the\nheading's CRPS, the less the better; moves: energy scores of the displacements between; miss: how many "
+        "points the\nshares of what happened inside the runs' central 50 and 90 %% are off at most.\n",
+        table.text().c_str(), evaluation.forecasts.front().samples, instants.c_str());
+}
+
 void printTable(const Evaluation& evaluation, const std::vector<std::string>& notices) {
     int steps = 0;
     for (const Window& window : evaluation.log.windows) steps = std::max(steps, window.steps());
@@ -67,6 +84,7 @@ void printTable(const Evaluation& evaluation, const std::vector<std::string>& no
     if (evaluation.log.floor && !evaluation.log.floor->pairs.empty())
         std::puts(
             "floor: what the best prediction of its pairs would leave: how far two real runs are apart, over 1.41.");
+    printForecasts(evaluation);
     printStates(evaluation);
     if (!notices.empty()) std::puts("");
     for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
@@ -153,6 +171,10 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                         "Folder for report.html, results.csv, results.json and windows.csv, of a sensor cases.csv "
                         "(for mrose predict)")
             ->check(someName());
+    flags->ofMotion.push_back(
+        sub->add_option("--samples", flags->what.samples, "Of motion with noise: rollouts of each window that judge it")
+            ->check(numberRange(2, 4096))
+            ->capture_default_str());
     flags->ofMotion.push_back(sub->add_option("--show", flags->what.shown,
                                               "Of motion: windows whose paths the report shows too, by number: 12,40")
                                   ->delimiter(',')

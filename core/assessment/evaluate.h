@@ -1,24 +1,15 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "assessment/assess.h"
+#include "assessment/forecast.h"
+#include "assessment/named_model.h"
 #include "io/progress.h"
 
 namespace mrose {
-
-/// A model under its name in tables. `forRobot` gives the model of a robot, named as in the log; null: it knows no such
-/// robot. What it points to must outlive the evaluation.
-struct NamedModel {
-    std::string name;
-    std::function<const MotionModel*(const std::string& robot)> forRobot;
-
-    /// One model for every robot.
-    static NamedModel same(std::string name, const MotionModel& model);
-};
 
 struct EvaluationOptions {
     std::vector<std::string> robots{};  ///< as the log names them; empty: all
@@ -34,7 +25,8 @@ struct EvaluationOptions {
 /// Models against a log; all that a report needs.
 struct Evaluation {
     LogWindows log;
-    std::vector<Assessment> models;  ///< in the order given
+    std::vector<Assessment> models;        ///< in the order given
+    std::vector<Forecast> forecasts = {};  ///< of models whose noise is known: forecast()
 };
 
 /// Rolls every model out over every window of the log and compares with the truth. The result is the same for any
@@ -43,12 +35,5 @@ struct Evaluation {
 /// ended it.
 Expected<Evaluation> evaluate(const Log& log, std::span<const NamedModel> models, const EvaluationOptions& options = {},
                               const Progress& progress = {});
-
-/// Rollouts of one named model, each start with the model of its robot; `robots` are indices into log.robots. Error as
-/// for evaluate.
-Expected<std::vector<std::vector<Pose>>> rollOut(const NamedModel& model, const Log& log,
-                                                 std::span<const RolloutStart> starts,
-                                                 std::span<const std::size_t> robots,
-                                                 const RolloutOptions& options = {});
 
 }  // namespace mrose

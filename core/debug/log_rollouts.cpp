@@ -9,7 +9,7 @@ void LogRollouts::replace(PlayedLogPointer log, const RolloutPlan& plan, std::ve
     log_ = std::move(log);
     plan_ = plan;
     requests_ = std::move(requests);
-    if (other && log_) bound_.fromHeldOut = bound_.fromHeldOut && knowsHeldOut(world());
+    if (other && log_) bound_.fromNetwork = bound_.fromNetwork && boundSource(world()) != BoundSource::constant;
     shown_.reset();
     forgetRows();
 }
@@ -32,14 +32,14 @@ void LogRollouts::setComparison(Comparison comparison) {
 void LogRollouts::setBound(const Bound& bound) {
     bound_ = bound;
     if (!comparison_) return;
-    rows_ = rolloutRows(world(), comparison_->rollouts, requests_, divergenceOptions());
+    judgeRows(rows_, comparison_->rollouts, divergenceOptions());
     changed();
 }
 
 DivergenceOptions LogRollouts::divergenceOptions() const {
     DivergenceOptions options;
     options.bound.constant = bound_.at;
-    options.fromHeldOut = bound_.fromHeldOut;
+    options.fromNetwork = bound_.fromNetwork;
     return options;
 }
 

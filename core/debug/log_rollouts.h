@@ -21,7 +21,7 @@ public:
     /// From when on a robot has left the real trajectory.
     struct Bound {
         DivergenceBound::At at = DivergenceBound{}.constant;
-        bool fromHeldOut = false;  ///< instead, from what the robot's network was held out from
+        bool fromNetwork = false;  ///< instead, from what the robot's network knows of real runs
         bool operator==(const Bound&) const = default;
     };
 
@@ -34,7 +34,7 @@ public:
     Nanoseconds length(std::size_t rollout) const { return requests_[rollout].steps * WindowOptions{}.step; }
 
     const Bound& bound() const { return bound_; }
-    /// Rows that are known are made again.
+    /// Rows that are known are judged again.
     void setBound(const Bound& bound);
     DivergenceOptions divergenceOptions() const;  ///< as of the flags of `mrose compare`
 

@@ -5,6 +5,7 @@
 
 #include "diagnosis/other_models.h"
 #include "io/format.h"
+#include "learning/parallel_for.h"
 #include "world/seconds_text.h"
 
 namespace mrose {
@@ -16,6 +17,11 @@ Area areaOf(const ComparedRollout& rollout) {
         for (const Pose& pose : *poses)
             if (std::isfinite(pose.x) && std::isfinite(pose.y)) area.include(position(pose));
     return area;
+}
+
+void judge(RolloutRow& row, const ComparedRollout& rollout, const DivergenceOptions& options) {
+    row.bound = options.fromNetwork && row.learned ? *row.learned : options.bound;
+    row.divergence = firstDivergence(rollout, WindowOptions{}.step, row.bound);
 }
 
 RolloutRow rolloutRow(const LogWorld& world, const ComparedRollout& rollout,
@@ -34,8 +40,8 @@ RolloutRow rolloutRow(const LogWorld& world, const ComparedRollout& rollout,
         row.share = 100 * *row.position / rollout.real.path;
     if (std::isfinite(rollout.errors.headingMean)) row.heading = rollout.errors.headingMean;
     if (rollout.use == RolloutUse::counted || rollout.use == RolloutUse::still) row.manoeuvre = rollout.real.manoeuvre;
-    row.bound = boundFor(world, rollout, options, WindowOptions{}.step);
-    row.divergence = firstDivergence(rollout, WindowOptions{}.step, row.bound);
+    row.learned = networkBound(world, requests[rollout.request], rollout, WindowOptions{}.step, options.bound.held);
+    judge(row, rollout, options);
     row.touched = rollout.touched.has_value();
     row.area = areaOf(rollout);
     return row;
@@ -89,13 +95,23 @@ std::vector<RolloutRow> rolloutRows(const LogWorld& world, std::span<const Compa
     std::vector<Window> windows;
     for (const ComparedRollout& rollout : rollouts) windows.push_back(rollout.real);
     classifyManoeuvres(world.log(), windows, WindowOptions{}.step);
+    std::vector<std::optional<RolloutRow>> made(rollouts.size());
+    parallelFor(rollouts.size(), [&](std::size_t i) {
+        if (rollouts[i].use == RolloutUse::absent) return;
+        made[i] = rolloutRow(world, rollouts[i], requests, options);
+        if (made[i]->manoeuvre) made[i]->manoeuvre = windows[i].manoeuvre;
+    });
     std::vector<RolloutRow> rows;
-    for (std::size_t i = 0; i < rollouts.size(); ++i) {
-        if (rollouts[i].use == RolloutUse::absent) continue;
-        rows.push_back(rolloutRow(world, rollouts[i], requests, options));
-        if (rows.back().manoeuvre) rows.back().manoeuvre = windows[i].manoeuvre;
-    }
+    for (std::optional<RolloutRow>& row : made)
+        if (row) rows.push_back(std::move(*row));
     return rows;
+}
+
+void judgeRows(std::span<RolloutRow> rows, std::span<const ComparedRollout> rollouts,
+               const DivergenceOptions& options) {
+    std::size_t next = 0;
+    for (const ComparedRollout& rollout : rollouts)
+        if (rollout.use != RolloutUse::absent) judge(rows[next++], rollout, options);
 }
 
 Expected<Comparison> compareRollouts(const PlayedLog& log, const std::vector<RolloutRequest>& requests,
@@ -120,7 +136,7 @@ Expected<Diagnosis> whyItLeaves(const PlayedLog& log, const CauseQuestion& quest
     const ComparedRollout& rollout = comparison->rollouts.front();
     DiagnosisOptions asked;
     asked.seed = log.seed;
-    asked.bound = boundFor(log.world(), rollout, question.bounds, WindowOptions{}.step);
+    asked.bound = question.row.bound;
     asked.models = question.models;
     asked.progress = progress;
     if (progress && !progress(0)) return fail(log.place, "was not looked through: cancelled");

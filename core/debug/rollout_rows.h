@@ -38,7 +38,8 @@ struct RolloutRow {
     Nanoseconds length = 0;
     std::optional<Manoeuvre> manoeuvre;
     std::optional<Divergence> divergence;
-    DivergenceBound bound;
+    DivergenceBound bound;                   ///< in force
+    std::optional<DivergenceBound> learned;  ///< networkBound()
     bool touched = false;
     Area area{{1, 1}, {-1, -1}};  ///< all that the middles of both robots pass
 };
@@ -53,6 +54,9 @@ Expected<std::vector<RolloutRequest>> plannedRollouts(const PlayedLog& log, cons
 /// Those of these rollouts whose robots were simulated.
 std::vector<RolloutRow> rolloutRows(const LogWorld& world, std::span<const ComparedRollout> rollouts,
                                     const std::vector<RolloutRequest>& requests, const DivergenceOptions& options);
+
+/// Says of rows of these rollouts, in their order, where they leave the real trajectory by other bounds.
+void judgeRows(std::span<RolloutRow> rows, std::span<const ComparedRollout> rollouts, const DivergenceOptions& options);
 
 /// The rollouts of a plan driven as `mrose compare` does; rows of those that are done. Error: as of compare().
 Expected<Comparison> compareRollouts(const PlayedLog& log, const std::vector<RolloutRequest>& requests,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "diagnosis/noise_bound.h"
 #include "learning/parallel_for.h"
 
 namespace mrose {
@@ -43,10 +44,25 @@ ComparedDivergences::Summary summaryOf(const Comparison& comparison, const Compa
     return summary;
 }
 
-/// Null: it moves by no network with held-out errors.
-const MotionNetwork::HeldOut* heldOutOf(const LogWorld& world, std::size_t robot) {
-    const MotionNetwork* const network = networkOf(world, robot);
-    return network != nullptr && network->heldOut.windows > 0 ? &network->heldOut : nullptr;
+BoundSource sourceOf(const MotionNetwork* network) {
+    if (network == nullptr) return BoundSource::constant;
+    if (network->noise) return BoundSource::noise;
+    return network->heldOut.windows > 0 ? BoundSource::heldOut : BoundSource::constant;
+}
+
+/// By rollout; nullopt of those that were not simulated.
+std::vector<std::optional<DivergenceBound>> boundsOf(const LogWorld& world, const Comparison& comparison,
+                                                     const DivergenceOptions& options) {
+    std::vector<std::optional<DivergenceBound>> bounds(comparison.rollouts.size());
+    parallelFor(bounds.size(), [&](std::size_t i) {
+        const ComparedRollout& rollout = comparison.rollouts[i];
+        if (rollout.simulated.empty()) return;
+        if (options.fromNetwork)
+            bounds[i] = networkBound(world, comparison.requests[rollout.request], rollout, comparison.log.options.step,
+                                     options.bound.held);
+        if (!bounds[i]) bounds[i] = options.bound;
+    });
+    return bounds;
 }
 
 }  // namespace
@@ -67,18 +83,24 @@ std::vector<std::size_t> worstOf(const Comparison& comparison, const ComparedDiv
     return order;
 }
 
-bool knowsHeldOut(const LogWorld& world) {
+BoundSource boundSource(const LogWorld& world) {
+    BoundSource most = BoundSource::constant;
     for (std::size_t robot = 0; robot < world.robots().size(); ++robot)
-        if (heldOutOf(world, robot) != nullptr) return true;
-    return false;
+        most = std::max(most, sourceOf(networkOf(world, robot)));
+    return most;
 }
 
-DivergenceBound boundFor(const LogWorld& world, const ComparedRollout& rollout, const DivergenceOptions& options,
-                         Nanoseconds step) {
-    const MotionNetwork::HeldOut* const heldOut = options.fromHeldOut ? heldOutOf(world, rollout.robot) : nullptr;
-    if (heldOut == nullptr) return options.bound;
-    DivergenceBound bound = heldOutBound(*heldOut, rollout, step);
-    bound.held = options.bound.held;
+std::optional<DivergenceBound> networkBound(const LogWorld& world, const RolloutRequest& request,
+                                            const ComparedRollout& rollout, Nanoseconds step, Nanoseconds held) {
+    const MotionNetwork* const network = networkOf(world, rollout.robot);
+    const BoundSource source = sourceOf(network);
+    if (source == BoundSource::constant) return std::nullopt;
+    if (source == BoundSource::noise) {
+        const MotionModel& model = world.parts().scene.modelOf(world.robots()[rollout.robot].body);
+        return noiseBound(*learnedModel(model), world.trajectory(request.session, rollout.robot), rollout, step, held);
+    }
+    DivergenceBound bound = heldOutBound(network->heldOut, rollout, step);
+    bound.held = held;
     return bound;
 }
 
@@ -87,16 +109,16 @@ Expected<ComparedDivergences> divergencesOf(const LogWorld& world, const Compari
     const Nanoseconds step = comparison.log.options.step;
     ComparedDivergences found;
     found.bound = options.bound;
-    found.fromHeldOut = options.fromHeldOut && knowsHeldOut(world);
+    if (options.fromNetwork) found.source = boundSource(world);
+    const std::vector<std::optional<DivergenceBound>> all = boundsOf(world, comparison, options);
     std::vector<DivergenceBound> bounds;
     for (std::size_t i = 0; i < comparison.rollouts.size(); ++i) {
         const ComparedRollout& rollout = comparison.rollouts[i];
         if (rollout.simulated.empty()) continue;
-        DivergenceBound bound = boundFor(world, rollout, options, step);
-        const auto divergence = firstDivergence(rollout, step, bound);
+        const auto divergence = firstDivergence(rollout, step, *all[i]);
         if (!divergence) continue;
         found.rollouts.push_back({i, *divergence, std::nullopt});
-        bounds.push_back(std::move(bound));
+        bounds.push_back(*all[i]);
     }
     for (std::size_t robot = 0; robot < comparison.robots.size(); ++robot)
         found.robots.push_back(summaryOf(comparison, found, robot));

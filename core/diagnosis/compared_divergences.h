@@ -8,11 +8,18 @@
 
 namespace mrose {
 
+/// What bounds are made of; the later ones say more.
+enum class BoundSource {
+    constant,
+    heldOut,  ///< heldOutBound(): of networks that know how far they were off in learning
+    noise     ///< noiseBound(): of networks that know their noise
+};
+
 /// Which divergences of a comparison are looked for, and why.
 struct DivergenceOptions {
     DivergenceBound bound{};  ///< the constants, and for how long
-    /// Instead of the constants, heldOutBound() of each robot's network; of a robot without such errors the constants.
-    bool fromHeldOut = false;
+    /// Instead of the constants what each robot's network knows of real runs: BoundSource.
+    bool fromNetwork = false;
     std::vector<OtherModel> models{};
     /// The causes of so many rollouts are looked for, of those that diverge the ones with the largest mean error; of a
     /// single rollout those of all robots. 0: of none.
@@ -29,8 +36,9 @@ struct RolloutDivergence {
 
 /// The first divergences of a comparison's rollouts.
 struct ComparedDivergences {
-    DivergenceBound bound;                    ///< the constants
-    bool fromHeldOut = false;                 ///< of a robot at least; of the others the constants
+    DivergenceBound bound;  ///< the constants
+    /// Of a robot at least; the others' bounds are made of what their networks know, or of the constants.
+    BoundSource source = BoundSource::constant;
     std::vector<RolloutDivergence> rollouts;  ///< those that diverge, as in Comparison::rollouts
     struct Summary {
         std::size_t rollouts = 0, diverging = 0;  ///< rollouts: those that were simulated
@@ -49,12 +57,13 @@ std::vector<std::size_t> worstOf(const Comparison& comparison, const ComparedDiv
 /// So many are listed one by one.
 constexpr std::size_t shownDivergences = 5;
 
-/// Whether any of the robots moves by a network that has its held-out errors.
-bool knowsHeldOut(const LogWorld& world);
+/// The most that a network of any of the robots knows.
+BoundSource boundSource(const LogWorld& world);
 
-/// The bound for one rollout.
-DivergenceBound boundFor(const LogWorld& world, const ComparedRollout& rollout, const DivergenceOptions& options,
-                         Nanoseconds step);
+/// The bound that the network of a rollout's robot makes; nullopt: it has none, or one that knows nothing of real runs.
+/// `request` is what the rollout was driven of.
+std::optional<DivergenceBound> networkBound(const LogWorld& world, const RolloutRequest& request,
+                                            const ComparedRollout& rollout, Nanoseconds step, Nanoseconds held);
 
 /// Finds where each rollout of `comparison` diverges, and why. The result is the same for any number of threads. Error:
 /// as for diagnose().

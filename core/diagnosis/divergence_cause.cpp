@@ -6,6 +6,7 @@
 
 #include "diagnosis/command_jumps.h"
 #include "diagnosis/log_defects_near.h"
+#include "diagnosis/noise_bound.h"
 #include "diagnosis/rollout_rerun.h"
 #include "geometry/point.h"
 #include "io/format.h"
@@ -89,7 +90,7 @@ public:
             if (!tryJump(jump)) return false;
         if (!findOnset()) return false;
         return tryVelocity() && tryDeadTimes(1) && tryDeadTimes(-1) && tryModels(robot) &&
-               (noise ? tryNoise(*noise) : tryHeldOut());
+               (noise ? tryNoise(*noise) : tryNetworkBound());
     }
 
 private:
@@ -258,16 +259,20 @@ private:
         return true;
     }
 
-    /// The same of a robot whose file has no noise: its network's errors are likely up to heldOutBound().
-    bool tryHeldOut() {
+    /// The same of a robot whose file has no noise, by what its network knows of real runs.
+    bool tryNetworkBound() {
         if (!options_.bound.bySteps.empty()) return true;  // it is beyond that already
         const auto* learned = learnedModel(rerun_.model());
-        if (learned == nullptr || learned->network().heldOut.windows == 0) return true;
-        const DivergenceBound likely = heldOutBound(learned->network().heldOut, rerun_.rollout(), rerun_.step());
-        const double times = rmsInBounds(truth_, base_, likely);
+        if (learned == nullptr) return true;
+        const MotionNetwork& network = learned->network();
+        if (!network.noise && network.heldOut.windows == 0) return true;
+        const DivergenceBound likely = network.noise ? noiseBound(*learned, rerun_.trajectory(), rerun_.rollout(),
+                                                                  rerun_.step(), options_.bound.held)
+                                                     : heldOutBound(network.heldOut, rerun_.rollout(), rerun_.step());
         diagnosis_.trials.push_back({CauseKind::noise,
-                                     "no more than the network's held-out error",
-                                     explainedByNoise(1, times),
+                                     network.noise ? "no more than such robots differ from themselves"
+                                                   : "no more than the network's held-out error",
+                                     explainedByNoise(1, rmsInBounds(truth_, base_, likely)),
                                      options_.threshold,
                                      {}});
         return goesOn();

@@ -48,8 +48,8 @@ struct Diagnosis {
 struct DiagnosisOptions {
     DivergenceBound bound{};  ///< beyond which the rollout diverges; errors are measured in it
     std::vector<OtherModel> models{};
-    /// Of the robots' motion, per period; nullopt: what their files say, or else the held-out errors of their networks
-    /// (unless these are the bound).
+    /// Of the robots' motion, per period; nullopt: what their files say, or else what their networks know of real
+    /// runs (unless that is the bound).
     std::optional<MotionNoise> noise{};
     std::uint64_t seed = 1;          ///< that of the comparison
     Nanoseconds step = 100'000'000;  ///< likewise

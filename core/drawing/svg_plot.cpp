@@ -104,6 +104,12 @@ void SvgPlot::band(std::span<const Point> low, std::span<const Point> high, std:
     if (SvgPath around = path(outline); !around.text().empty()) add(around.close(), cssClass);
 }
 
+void SvgPlot::area(std::span<const Polygon> pieces, std::string_view cssClass) {
+    SvgPath all;
+    for (const Polygon& piece : pieces) all += path(piece).close();
+    if (!all.text().empty()) add(all, cssClass);
+}
+
 void SvgPlot::bar(double x, double width, double height, std::string_view cssClass, std::string_view tooltip) {
     const Point top = pixel({x, height}), foot = pixel({x + width, 0});
     marks_ += element("rect",

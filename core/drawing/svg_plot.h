@@ -6,6 +6,7 @@
 
 #include "drawing/axis_ticks.h"
 #include "drawing/svg.h"
+#include "geometry/polygon.h"
 
 namespace mrose {
 
@@ -35,6 +36,7 @@ public:
     void line(std::span<const Point> points, std::string_view cssClass);
     void steps(std::span<const Point> points, std::string_view cssClass);  ///< a staircase: up at each point
     void band(std::span<const Point> low, std::span<const Point> high, std::string_view cssClass);
+    void area(std::span<const Polygon> pieces, std::string_view cssClass);  ///< as one where they overlap
     void bar(double x, double width, double height, std::string_view cssClass, std::string_view tooltip);
     void circle(const Point& centre, double pixels, std::string_view cssClass);
     /// An arrow of the given length in pixels from a point, in a direction in the plot's own coordinates.

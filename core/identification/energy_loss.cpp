@@ -53,6 +53,7 @@ double EnergyLoss::operator()(std::span<const Pose> samples, std::size_t count, 
                               std::span<const Pose> truth, std::span<Pose> gradient) const {
     const std::size_t length = truth.size();
     assert(samples.size() == count * length && !instants.empty() && instants.back() <= length);
+    assert(weights.size() == instants.size());
     const bool differentiates = !gradient.empty();
     assert(mean.size() == length);
     std::vector<Pose> poses(count * (length + 1)), real(length + 1), expected(length + 1);
@@ -65,21 +66,24 @@ double EnergyLoss::operator()(std::span<const Pose> samples, std::size_t count, 
     std::vector<Point> places(count), byPlaces(differentiates ? count : 0);
     std::vector<double> values(count), byValues(differentiates ? count : 0);
     double loss = 0;
-    for (const std::size_t k : instants) {
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+        const std::size_t k = instants[i];
+        const Weights& weight = weights[i];
+        const double axisScores = axisWeight * weight.place;
         for (std::size_t s = 0; s < count; ++s) places[s] = {pose(s, k).x, pose(s, k).y};
         const auto by = [&](std::size_t s) -> Pose& { return byPoses[s * length + k - 1]; };
         byPlaces.assign(byPlaces.size(), {});
-        loss += energyScore(places, {real[k].x, real[k].y}, 1, byPlaces, antithetic);
+        loss += weight.place * energyScore(places, {real[k].x, real[k].y}, weight.place, byPlaces, antithetic);
         for (std::size_t s = 0; s < byPlaces.size(); ++s) by(s) = {byPlaces[s].x, byPlaces[s].y, 0};
         for (std::size_t s = 0; s < count; ++s) values[s] = pose(s, k).heading;
         byValues.assign(byValues.size(), 0);
-        loss += headingWeight * rankedScore(values, real[k].heading, headingWeight, byValues, antithetic);
+        loss += weight.heading * rankedScore(values, real[k].heading, weight.heading, byValues, antithetic);
         for (std::size_t s = 0; s < byValues.size(); ++s) by(s).heading = byValues[s];
         const Point along = towards(expected[k].heading);
         for (const Point& axis : {along, Point{-along.y, along.x}}) {
             for (std::size_t s = 0; s < count; ++s) values[s] = dot(axis, places[s]);
             byValues.assign(byValues.size(), 0);
-            loss += axisWeight * rankedScore(values, dot(axis, position(real[k])), axisWeight, byValues, antithetic);
+            loss += axisScores * rankedScore(values, dot(axis, position(real[k])), axisScores, byValues, antithetic);
             for (std::size_t s = 0; s < byValues.size(); ++s) {
                 by(s).x += byValues[s] * axis.x;
                 by(s).y += byValues[s] * axis.y;
@@ -93,7 +97,8 @@ double EnergyLoss::operator()(std::span<const Pose> samples, std::size_t count, 
         const std::size_t begin = instants[i], end = instants[i + 1];
         for (std::size_t s = 0; s < count; ++s) places[s] = seenFrom(pose(s, begin), pose(s, end));
         byPlaces.assign(byPlaces.size(), {});
-        loss += energyScore(places, seenFrom(real[begin], real[end]), 1, byPlaces, antithetic);
+        loss += weights[i].move *
+                energyScore(places, seenFrom(real[begin], real[end]), weights[i].move, byPlaces, antithetic);
         for (std::size_t s = 0; differentiates && s < count; ++s) {
             const std::span segment = std::span(bySegment).first(end - begin);
             segment.back() = {byPlaces[s].x, byPlaces[s].y, 0};
@@ -106,13 +111,14 @@ double EnergyLoss::operator()(std::span<const Pose> samples, std::size_t count, 
     return loss;
 }
 
-std::vector<std::size_t> judgedInstants(std::size_t length) {
-    std::vector<std::size_t> instants;
+EnergyLoss EnergyLoss::over(std::size_t length) {
+    EnergyLoss loss;
     for (const double share : {0.1, 0.2, 0.5, 1.0}) {
         const auto instant = static_cast<std::size_t>(std::lround(share * static_cast<double>(length)));
-        if (instant > (instants.empty() ? 0 : instants.back())) instants.push_back(instant);
+        if (instant > (loss.instants.empty() ? 0 : loss.instants.back())) loss.instants.push_back(instant);
     }
-    return instants;
+    loss.weights.resize(loss.instants.size());
+    return loss;
 }
 
 }  // namespace mrose

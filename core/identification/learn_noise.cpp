@@ -147,8 +147,11 @@ LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, c
     ResidualNoiseOptions fitting;
     fitting.seed = options.seed;
     bool cancelled = false;
-    const auto watched = [&](double share) { return !(cancelled = !mayGoOn(fits, share)); };
-    ResidualNoise noise = fitResidualNoise(rollouts, blueprint.period, fitting, watched);
+    const auto watched = [&](double from, double to) {
+        return [&, from, to](double share) { return !(cancelled = !mayGoOn(fits, from + (to - from) * share)); };
+    };
+    ResidualNoise noise = fitResidualNoise(rollouts, blueprint.period, fitting, watched(0, 0.9));
+    if (!cancelled) noise.constant = fitConstantNoise(rollouts, blueprint.period, fitting, watched(0.9, 1));
     if (cancelled) return {std::nullopt, "cancelled", true};
     return {std::move(noise), {}, false};
 }

@@ -35,9 +35,11 @@ ResidualNoise blueprint(std::size_t members) {
         process.time = time;
         for (const NoiseTrait trait : traits) process.amplitude.push_back({trait, 0});
     };
+    add(Axis::forward, 0.2, {moving, unevennessV, forwardChange});
     add(Axis::forward, 0.5, {moving, distance, rotation, unevennessV});
     add(Axis::forward, 1, {forwardChange});
     add(Axis::forward, day, {forward});
+    add(Axis::left, 0.5, {moving, distance, rotation});
     add(Axis::left, day, {distance, rotation});
     add(Axis::heading, 0.2, {moving, rotation, unevennessW});
     add(Axis::heading, 1, {headingChange});
@@ -53,7 +55,7 @@ std::vector<double*> weightsOf(ResidualNoise& noise) {
     for (ResidualNoise::Process& process : noise.processes)
         for (ResidualNoise::Share& share : process.amplitude) weights.push_back(&share.weight);
     if (noise.members.time > 0) weights.push_back(&noise.members.weight);
-    weights.push_back(&noise.scale.weight);
+    if (noise.scale.time > 0) weights.push_back(&noise.scale.weight);
     return weights;
 }
 
@@ -79,8 +81,7 @@ std::array<double, 3> errorsPerPeriod(const ResidualRollouts& rollouts) {
 
 /// Weights with which all processes of an axis together make about half of its errors: a unit for each, and where
 /// learning begins.
-ResidualNoise initialNoise(const ResidualRollouts& rollouts) {
-    ResidualNoise noise = blueprint(rollouts.members);
+ResidualNoise initialNoise(const ResidualRollouts& rollouts, ResidualNoise noise) {
     NoiseTraits squares{};
     for (const NoiseTraits& traits : rollouts.traits)
         for (std::size_t t = 0; t < traits.size(); ++t) squares[t] += traits[t] * traits[t];
@@ -93,7 +94,7 @@ ResidualNoise initialNoise(const ResidualRollouts& rollouts) {
             share.weight = usual > 1e-9 ? each * errors[static_cast<std::size_t>(process.axis)] / usual : 0;
         }
     if (noise.members.time > 0) noise.members.weight = 0.5;
-    noise.scale.weight = 0.3;
+    if (noise.scale.time > 0) noise.scale.weight = 0.3;
     return noise;
 }
 
@@ -132,13 +133,12 @@ class NoiseObjective final : public TrainingObjective {
 public:
     NoiseObjective(const ResidualRollouts& rollouts, const ResidualNoise& units, Nanoseconds period,
                    const ResidualNoiseOptions& options)
-        : rollouts_(rollouts), units_(units) {
-        loss_.instants = judgedInstants(rollouts.length);
+        : rollouts_(rollouts), units_(units), loss_(EnergyLoss::over(rollouts.length)) {
         const NoiseProcesses processes(units, rollouts.members, toSeconds(period));
         for (std::uint32_t set = 0; set < sets; ++set)
             drawn_.push_back(
                 drawSamples(processes, static_cast<std::size_t>(options.samples), rollouts.length, options.seed, set));
-        weighHeading();
+        weigh();
         loss_.antithetic = true;
     }
 
@@ -177,19 +177,36 @@ public:
 private:
     static constexpr std::uint32_t sets = 61;  ///< of samples, which rollouts take in turn
 
-    /// Errors of position and of heading, of the mean alone, count alike.
-    void weighHeading() {
-        EnergyLoss position = loss_, both = loss_;
-        position.headingWeight = 0;
-        both.headingWeight = 1;
-        double positions = 0, all = 0;
+    /// Every score over that of the mean alone, times the mean of all instants' position: errors of position and of
+    /// heading, soon and late, count alike.
+    void weigh() {
+        const std::vector<EnergyLoss::Weights> none(loss_.instants.size(), {0, 0, 0});
+        EnergyLoss alone = loss_;
+        alone.axisWeight = 0;
+        alone.weights = none;
+        std::vector<EnergyLoss::Weights> scores = none;
+        double places = 0;
+        for (std::size_t i = 0; i < scores.size(); ++i) {
+            for (double EnergyLoss::Weights::*const score :
+                 {&EnergyLoss::Weights::place, &EnergyLoss::Weights::heading, &EnergyLoss::Weights::move}) {
+                alone.weights[i].*score = 1;
+                scores[i].*score = meanAlone(alone);
+                alone.weights = none;
+            }
+            places += scores[i].place / static_cast<double>(scores.size());
+        }
+        const auto over = [&](double score) { return score > 0 ? places / score : 0; };
+        for (std::size_t i = 0; i < scores.size(); ++i)
+            loss_.weights[i] = {over(scores[i].place), over(scores[i].heading), over(scores[i].move)};
+    }
+    double meanAlone(const EnergyLoss& loss) const {
+        double sum = 0;
         for (std::size_t r = 0; r < rollouts_.count(); ++r) {
             const auto mean = std::span(rollouts_.mean).subspan(r * rollouts_.length, rollouts_.length);
             const auto truth = std::span(rollouts_.truth).subspan(r * rollouts_.length, rollouts_.length);
-            positions += position(mean, 1, mean, truth, {});
-            all += both(mean, 1, mean, truth, {});
+            sum += loss(mean, 1, mean, truth, {});
         }
-        loss_.headingWeight = all > positions ? positions / (all - positions) : 0;
+        return sum / static_cast<double>(rollouts_.count());
     }
 
     /// Of one rollout's samples, for the noise at hand: the increments, and what makes them.
@@ -284,7 +301,7 @@ private:
                 }
             ++at;
         }
-        for (std::size_t s = 0; s < drawn.samples; ++s) {
+        for (std::size_t s = 0; noise.scale.time > 0 && s < drawn.samples; ++s) {
             const std::span<const float> z = drawn.of(s, drawn.width - 1);
             for (std::size_t k = 0; k < length; ++k) {
                 const Pose &e = from.noise[s * length + k], &g = from.gradient[s * length + k];
@@ -376,10 +393,12 @@ double residualLoss(const ResidualNoise& noise, const ResidualRollouts& rollouts
     return NoiseObjective(rollouts, noise, period, options).lossOf(noise);
 }
 
-ResidualNoise fitResidualNoise(const ResidualRollouts& rollouts, Nanoseconds period,
-                               const ResidualNoiseOptions& options, const Progress& progress) {
+namespace {
+
+ResidualNoise fitted(const ResidualRollouts& rollouts, const ResidualNoise& blueprint, Nanoseconds period,
+                     const ResidualNoiseOptions& options, const Progress& progress) {
     assert(rollouts.count() > 0 && options.samples >= 2 && options.samples % 2 == 0);
-    NoiseObjective objective(rollouts, initialNoise(rollouts), period, options);
+    NoiseObjective objective(rollouts, initialNoise(rollouts, blueprint), period, options);
     TrainingOptions training;
     training.epochs = training.patience = options.epochs;
     training.rprop.largestStep = 1;
@@ -392,6 +411,24 @@ ResidualNoise fitResidualNoise(const ResidualRollouts& rollouts, Nanoseconds per
     noise.horizon = toSeconds(period) * static_cast<double>(rollouts.length);
     noise.rollouts = static_cast<std::int64_t>(rollouts.count());
     return noise;
+}
+
+}  // namespace
+
+ResidualNoise fitResidualNoise(const ResidualRollouts& rollouts, Nanoseconds period,
+                               const ResidualNoiseOptions& options, const Progress& progress) {
+    return fitted(rollouts, blueprint(rollouts.members), period, options, progress);
+}
+
+MotionNoise fitConstantNoise(const ResidualRollouts& rollouts, Nanoseconds period, const ResidualNoiseOptions& options,
+                             const Progress& progress) {
+    ResidualNoise independent;
+    independent.processes = {{Axis::forward, 0, {{NoiseTrait::distance, 0}}},
+                             {Axis::heading, 0, {{NoiseTrait::rotation, 0}}},
+                             {Axis::heading, 0, {{NoiseTrait::distance, 0}}}};
+    const ResidualNoise noise = fitted(rollouts, independent, period, options, progress);
+    const auto weight = [&](std::size_t process) { return noise.processes[process].amplitude.front().weight; };
+    return {weight(0), weight(1), weight(2)};
 }
 
 }  // namespace mrose

@@ -45,6 +45,11 @@ struct ResidualNoiseOptions {
 ResidualNoise fitResidualNoise(const ResidualRollouts& rollouts, Nanoseconds period,
                                const ResidualNoiseOptions& options = {}, const Progress& progress = {});
 
+/// Of noises that are drawn anew in each period, in proportion to distance and rotation, the one that forecasts these
+/// best: what another noise must do better than.
+MotionNoise fitConstantNoise(const ResidualRollouts& rollouts, Nanoseconds period,
+                             const ResidualNoiseOptions& options = {}, const Progress& progress = {});
+
 /// What fitResidualNoise makes small: the mean EnergyLoss of rollouts sampled with this noise, m.
 double residualLoss(const ResidualNoise& noise, const ResidualRollouts& rollouts, Nanoseconds period,
                     const ResidualNoiseOptions& options = {});

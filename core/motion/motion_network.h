@@ -10,6 +10,7 @@
 #include "io/error.h"
 #include "learning/learned_network.h"
 #include "motion/kinematic.h"
+#include "motion/motion_noise.h"
 #include "world/differential_drive.h"
 #include "world/time.h"
 
@@ -103,6 +104,8 @@ struct ResidualNoise {
     Strength members, scale;
     double horizon = 0;         ///< s: how far rollouts went from whose errors it was learned
     std::int64_t rollouts = 0;  ///< their number
+    std::optional<MotionNoise>
+        constant;  ///< the constant noise that forecasts them best, which this one is held against
     bool operator==(const ResidualNoise&) const = default;
 };
 

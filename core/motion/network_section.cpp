@@ -63,12 +63,22 @@ ResidualNoise::Strength readStrength(TomlTable table) {
     return s;
 }
 
+MotionNoise readConstantNoise(TomlTable table) {
+    MotionNoise noise;
+    noise.distancePerDistance = table.number("distance_per_distance", {0, 1e3});
+    noise.rotationPerRotation = table.number("rotation_per_rotation", {0, 1e3});
+    noise.rotationPerDistance = table.number("rotation_per_distance_radpm", {0, 1e3});
+    table.rejectUnknown();
+    return noise;
+}
+
 ResidualNoise readNoise(TomlTable table) {
     ResidualNoise noise;
     noise.horizon = table.number("horizon_s", {0, 1e6});
     noise.rollouts = table.integer("rollouts", 0, 1'000'000'000);
     noise.scale = readStrength(table.table("scale"));
     noise.members = readStrength(table.table("members"));
+    if (table.has("constant")) noise.constant = readConstantNoise(table.table("constant"));
     for (TomlTable& part : table.tables("processes")) {
         ResidualNoise::Process process;
         process.axis = static_cast<ResidualNoise::Axis>(part.choice("axis", noiseAxisNames));

@@ -58,10 +58,18 @@ std::string strengthText(const ResidualNoise::Strength& s) {
     return "{ weight = " + numberText(s.weight) + ", time_s = " + numberText(s.time) + " }";
 }
 
+std::string constantNoiseText(const MotionNoise& noise) {
+    return "{ distance_per_distance = " + numberText(noise.distancePerDistance) +
+           ", rotation_per_rotation = " + numberText(noise.rotationPerRotation) +
+           ", rotation_per_distance_radpm = " + numberText(noise.rotationPerDistance) + " }";
+}
+
 std::string noiseText(const ResidualNoise& noise) {
     std::string text = "\n[motion.noise] # how real runs differ from the mean\n" + line("horizon_s", noise.horizon) +
                        line("rollouts", std::to_string(noise.rollouts)) + line("scale", strengthText(noise.scale)) +
-                       line("members", strengthText(noise.members)) + "processes = [ # m or rad a period\n";
+                       line("members", strengthText(noise.members)) +
+                       (noise.constant ? line("constant", constantNoiseText(*noise.constant)) : "") +
+                       "processes = [ # m or rad a period\n";
     for (const ResidualNoise::Process& process : noise.processes) {
         text += "  { axis = " + tomlString(noiseAxisNames[static_cast<std::size_t>(process.axis)]) +
                 ", time_s = " + numberText(process.time);

@@ -74,14 +74,16 @@ Json json(const Comparison& comparison, const RolloutDivergence& diverging) {
     return result;
 }
 
+constexpr const char* boundSourceNames[] = {"constant", "held_out", "noise"};
+
 Json json(const Comparison& comparison, const ComparedDivergences& divergences) {
     Json result{{"bound",
-                 {{"from_held_out", divergences.fromHeldOut},
+                 {{"from", boundSourceNames[static_cast<std::size_t>(divergences.source)]},
                   {"position_m", divergences.bound.constant.position},
                   {"heading_rad", divergences.bound.constant.heading},
                   {"held_s", toSeconds(divergences.bound.held)}}},
                 {"all", json(divergences.all)}};
-    if (divergences.fromHeldOut)
+    if (divergences.source != BoundSource::constant)
         for (const char* constant : {"position_m", "heading_rad"}) result["bound"].erase(constant);
     result["robots"] = Json::array();
     for (std::size_t i = 0; i < comparison.robots.size(); ++i) {

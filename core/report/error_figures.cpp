@@ -91,6 +91,24 @@ std::string modelLegend(const Evaluation& evaluation) {
     return legend(entries);
 }
 
+bool foreseesErrors(const Evaluation& evaluation) {
+    return !evaluation.forecasts.empty() && evaluation.forecasts.front().samples > 1 &&
+           evaluation.forecasts.front().name == evaluation.models.front().name;
+}
+
+std::string errorOverTimeLegend(const Evaluation& evaluation) {
+    std::string entries;
+    for (std::size_t i = 0; i < evaluation.models.size(); ++i)
+        entries += lineEntry(seriesClass(i), evaluation.models[i].name);
+    const bool foreseen = foreseesErrors(evaluation);
+    entries += boxEntry("band inner", foreseen ? "25–75 %, foreseen" : "25–75 %") +
+               boxEntry("band", foreseen ? "10–90 %, foreseen" : "10–90 %");
+    if (foreseen)
+        entries +=
+            lineEntry("s0 edge", "25 and 75 %, as it was") + lineEntry("s0 edge outer", "10 and 90 %, as it was");
+    return legend(entries);
+}
+
 std::string manoeuvreLegend() {
     std::string entries;
     for (int kind = 0; kind < manoeuvreCount; ++kind)
@@ -108,16 +126,25 @@ std::string robotLegend(const Comparison& comparison, const ComparedDivergences*
 }
 
 std::string errorOverTimeFigure(const Evaluation& evaluation, ErrorChannel channel) {
-    const auto& first = evaluation.models.front().overTime;
+    const std::vector<ErrorsAt>& real = evaluation.models.front().overTime;
+    const bool foreseen = foreseesErrors(evaluation);
+    const std::vector<ErrorsAt>& banded = foreseen ? evaluation.forecasts.front().expected : real;
     std::vector<Points> lines;
     for (const Assessment& model : evaluation.models)
         lines.push_back(over(model.overTime, channel, &Distribution::median));
-    const Points p90 = over(first, channel, &Distribution::p90);
-    lines.push_back(p90);
-    SvgPlot plot = plotOverTime(channel, first.empty() ? 1 : first.back().time, extent(lines).y);
-    plot.band(over(first, channel, &Distribution::p10), p90, "band");
-    plot.band(over(first, channel, &Distribution::p25), over(first, channel, &Distribution::p75), "band inner");
-    for (std::size_t i = evaluation.models.size(); i-- > 0;) plot.line(lines[i], seriesClass(i));
+    const std::size_t models = lines.size();
+    lines.push_back(over(real, channel, &Distribution::p90));
+    lines.push_back(over(banded, channel, &Distribution::p90));
+    SvgPlot plot = plotOverTime(channel, real.empty() ? 1 : real.back().time, extent(lines).y);
+    plot.band(over(banded, channel, &Distribution::p10), lines.back(), "band");
+    plot.band(over(banded, channel, &Distribution::p25), over(banded, channel, &Distribution::p75), "band inner");
+    if (foreseen) {
+        for (const auto share : {&Distribution::p10, &Distribution::p90})
+            plot.line(over(real, channel, share), "s0 edge outer");
+        for (const auto share : {&Distribution::p25, &Distribution::p75})
+            plot.line(over(real, channel, share), "s0 edge");
+    }
+    for (std::size_t i = models; i-- > 0;) plot.line(lines[i], seriesClass(i));
     return plot.text();
 }
 
@@ -184,7 +211,7 @@ std::string errorOverTimeFigure(const Comparison& comparison, ErrorChannel chann
     for (std::size_t i = 0; i < comparison.robots.size(); ++i) lines.push_back(medianErrors(comparison, i, channel));
     const Point most = extent(lines);
     SvgPlot plot = plotOverTime(channel, most.x, most.y);
-    if (divergences != nullptr && !divergences->fromHeldOut) {
+    if (divergences != nullptr && divergences->source == BoundSource::constant) {
         const DivergenceBound::At& bound = divergences->bound.constant;
         drawBound(plot, inUnit(channel, position ? bound.position : bound.heading), most);
     }

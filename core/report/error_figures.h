@@ -11,7 +11,11 @@ namespace mrose {
 
 enum class ErrorChannel { position, heading };
 
-/// Error against time: the first model's 10-90 % and 25-75 % bands and every model's median.
+/// Whether the first model has a noise of its own, from which it knows how large its errors are.
+bool foreseesErrors(const Evaluation& evaluation);
+
+/// Error against time: the first model's 10-90 % and 25-75 % bands and every model's median. The bands are what it
+/// foresees, with the real shares as thin lines; without a noise they are the real ones.
 std::string errorOverTimeFigure(const Evaluation& evaluation, ErrorChannel channel);
 /// The same of a comparison, a line for each robot: the median of its rollouts at each instant at which some are known,
 /// which is the error itself where it has but one. With `divergences` the bound, where it is a constant, and a ring
@@ -20,6 +24,7 @@ std::string errorOverTimeFigure(const Comparison& comparison, ErrorChannel chann
                                 const ComparedDivergences* divergences = nullptr);
 
 std::string modelLegend(const Evaluation& evaluation);
+std::string errorOverTimeLegend(const Evaluation& evaluation);
 std::string robotLegend(const Comparison& comparison, const ComparedDivergences* divergences = nullptr);
 
 /// Part of the windows with an error up to x: position, time-mean over path in %; heading at the end in degrees.

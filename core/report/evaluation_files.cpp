@@ -57,6 +57,37 @@ Json json(const Assessment& model) {
             {"on_turning_floor", json(model.onTurningFloor)}};
 }
 
+Json json(const ForecastAt::PerError& e) { return {{"along_m", e[0]}, {"across_m", e[1]}, {"heading_rad", e[2]}}; }
+
+Json json(const Forecast& forecast) {
+    const bool sampled = forecast.samples > 1;
+    Json instants = Json::array(), foreseen = Json::array();
+    for (const ForecastAt& at : forecast.at) {
+        Json one{{"t_s", toSeconds(at.time)},
+                 {"windows", at.ranks.size()},
+                 {"energy_score_m", at.energy},
+                 {"crps", json(at.ranked)}};
+        if (sampled) {
+            one["inside50"] = at.inside(0.5);
+            one["inside90"] = at.inside(0.9);
+            one["width50"] = json(at.half);
+            one["width90"] = json(at.nineTenths);
+        }
+        instants.push_back(std::move(one));
+    }
+    for (const ErrorsAt& at : forecast.expected)
+        foreseen.push_back({{"t_s", at.time}, {"position_m", json(at.position)}, {"heading_rad", json(at.heading)}});
+    Json all{{"name", forecast.name},
+             {"samples", forecast.samples},
+             {"energy_score_sum_m", forecast.energy()},
+             {"heading_crps_sum_rad", forecast.heading()},
+             {"moves_energy_score_sum_m", forecast.moves},
+             {"miss_points", forecast.miss()},
+             {"instants", std::move(instants)}};
+    if (sampled) all["foreseen_error_over_time"] = std::move(foreseen);
+    return all;
+}
+
 Json json(const LogDefects& d) {
     return {{"out_of_order", d.outOfOrder},
             {"duplicates", d.duplicates},
@@ -166,9 +197,10 @@ std::string resultsCsv(const Evaluation& evaluation) {
 }
 
 std::string resultsJson(const Evaluation& evaluation, const ReportContext& context) {
-    Json facts = Json::object(), models = Json::array();
+    Json facts = Json::object(), models = Json::array(), forecasts = Json::array();
     for (const auto& [key, value] : context.modelFacts) facts[key] = value;
     for (const Assessment& model : evaluation.models) models.push_back(json(model));
+    for (const Forecast& forecast : evaluation.forecasts) forecasts.push_back(json(forecast));
     const WindowOptions& windows = evaluation.log.options;
     const Json all{{"program", context.program},
                    {"command_line", context.commandLine},
@@ -182,6 +214,7 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
                      {"least_path_m", windows.leastPath},
                      {"least_rotation_rad", windows.leastRotation}}},
                    {"models", std::move(models)},
+                   {"forecasts", std::move(forecasts)},
                    {"floor", floorJson(evaluation.log.floor, evaluation.log)},
                    {"turning_floor", floorJson(evaluation.log.turningFloor, evaluation.log)},
                    {"windows", windowsJson(evaluation)}};

@@ -8,6 +8,7 @@
 #include "report/error_figures.h"
 #include "report/evaluation_files.h"
 #include "report/floor_section.h"
+#include "report/forecast_section.h"
 #include "report/legend.h"
 #include "report/path_figures.h"
 #include "report/shown_windows.h"
@@ -194,15 +195,23 @@ std::string headline(const Evaluation& evaluation) {
     const Assessment& model = evaluation.models.front();
     return element("p", "lead",
                    cat("Given a start and the commands alone, the prediction’s position is ", offText(model.all),
-                       typicalWindow(evaluation, model.all), comparison(evaluation)));
+                       typicalWindow(evaluation, model.all), comparison(evaluation), forecastHeadline(evaluation)));
+}
+
+std::string errorBandText(const Evaluation& evaluation) {
+    if (!foreseesErrors(evaluation))
+        return "Lines are medians over the windows. Of the first model, the dark band holds the middle half of the "
+               "windows (25–75 %), the light one 10–90 %.";
+    return cat(
+        "Lines are medians over the windows. The bands are what the first model foresees of its own errors, from "
+        "its noise: the dark one the middle half (25–75 %), the light one 10–90 %. Thin lines are the same shares "
+        "of its errors as they were: where they run along the edges of the bands, it knows how far the ",
+        evaluation.log.real(), " robot strays.");
 }
 
 std::string errorSection(const Evaluation& evaluation) {
     return cat(
-        heading("Error against time"),
-        paragraph("Lines are medians over the windows. Of the first model, the dark band holds the middle half of "
-                  "the windows (25–75 %), the light one 10–90 %."),
-        modelLegend(evaluation),
+        heading("Error against time"), paragraph(errorBandText(evaluation)), errorOverTimeLegend(evaluation),
         figurePair(errorOverTimeFigure(evaluation, ErrorChannel::position),
                    errorOverTimeFigure(evaluation, ErrorChannel::heading)),
         heading("How errors are distributed over the windows"),
@@ -323,11 +332,12 @@ std::string definitions(const Evaluation& evaluation) {
 std::string reportHtml(const Evaluation& evaluation, const ReportContext& context) {
     const std::string title = cat(escaped(evaluation.models.front().name), " on ", escaped(evaluation.log.source),
                                   evaluation.log.synthetic ? " (synthetic)" : "");
-    const std::string body = cat(
-        header(evaluation, context), headline(evaluation), tiles(evaluation.models.front().all),
-        heading("Models side by side"), tableCard(modelTable(evaluation)), errorSection(evaluation),
-        pathSection(evaluation, context), tablesSection(evaluation), barsSection(evaluation), floorSection(evaluation),
-        heading("What the numbers mean"), definitions(evaluation), provenance(evaluation, context));
+    const std::string body =
+        cat(header(evaluation, context), headline(evaluation), tiles(evaluation.models.front().all),
+            heading("Models side by side"), tableCard(modelTable(evaluation)), errorSection(evaluation),
+            forecastSection(evaluation), pathSection(evaluation, context), tablesSection(evaluation),
+            barsSection(evaluation), floorSection(evaluation), heading("What the numbers mean"),
+            definitions(evaluation), provenance(evaluation, context));
     return reportPage(title, body);
 }
 

@@ -28,7 +28,8 @@ struct PathFigure {
     std::vector<const Poses*> predicted;
     std::vector<std::size_t> series;  ///< of each
     Nanoseconds arrowInterval = 0, step = 1;
-    std::optional<std::size_t> leaves = {};  ///< where the first prediction leaves the real path, in it: a ring
+    std::span<const PoseRegion> regions = {};  ///< where the first one may be
+    std::optional<std::size_t> leaves = {};    ///< where the first prediction leaves the real path, in it: a ring
 };
 
 std::vector<Point> positions(std::span<const Pose> poses) {
@@ -67,6 +68,8 @@ std::string drawn(const PathFigure& figure) {
     Area area{position(figure.start), position(figure.start)};
     include(area, figure.real);
     for (const Poses* predicted : figure.predicted) include(area, *predicted);
+    for (const PoseRegion& region : figure.regions)
+        for (const Point& corner : region.outline(RegionShare::most)) area.include(corner);
     const Point size = area.most - area.least;
     const double most = std::max({size.x, size.y, 0.05});
     SvgPlot plot =
@@ -75,6 +78,8 @@ std::string drawn(const PathFigure& figure) {
                             cat(capitalised(figure.what), " and predicted path"));
     const double bar = axisTicks({0, width * plot.unitsPerPixel()}, 5).step;
     plot.grid(bar);
+    plot.area(swathOf(figure.regions, RegionShare::most), "band");
+    plot.area(swathOf(figure.regions, RegionShare::half), "band inner");
     for (std::size_t i = figure.predicted.size(); i-- > 1;)
         plot.line(positions(withStart(figure.start, *figure.predicted[i])),
                   cat(seriesClass(figure.series[i]), " thin"));
@@ -146,6 +151,7 @@ std::string pathLegend(const Evaluation& evaluation) {
                           : lineEntry(cat(seriesClass(i), " thin"),
                                       evaluation.models.size() > 2 ? cat(name, " (best of the others by P)") : name);
     }
+    if (foreseesErrors(evaluation)) entries += boxEntry("band inner", "50 % of its runs") + boxEntry("band", "90 %");
     return legend(entries + markEntries(arrowInterval(evaluation.log)));
 }
 
@@ -156,6 +162,7 @@ std::string pathFigure(const Evaluation& evaluation, std::size_t index) {
     for (const std::size_t i : figure.series) figure.predicted.push_back(&evaluation.models[i].predicted[index]);
     figure.arrowInterval = arrowInterval(log);
     figure.step = log.options.step;
+    if (foreseesErrors(evaluation)) figure.regions = evaluation.forecasts.front().regions[index];
     return drawn(figure);
 }
 

@@ -6,6 +6,7 @@
 #include "drawing/svg_plot.h"
 #include "io/format.h"
 #include "report/legend.h"
+#include "report/share_plot.h"
 
 namespace mrose {
 namespace {
@@ -32,14 +33,6 @@ PlotRange extentOf(const std::vector<ErrorBand>& bands, double factor) {
         }
     const double margin = 0.06 * (range.high - range.low);
     return {range.low - margin, range.high + margin};
-}
-
-SvgPlot squarePlot(std::string_view description, std::string_view xTitle, std::string_view yTitle) {
-    SvgPlot plot({.width = 350, .height = 340}, {0, 100}, {0, 100}, description);
-    plot.axes(xTitle, yTitle);
-    const Point diagonal[] = {{0, 0}, {100, 100}};
-    plot.line(diagonal, "floorline");
-    return plot;
 }
 
 /// Groups of the same prediction as one.
@@ -106,7 +99,7 @@ std::string errorBandLegend(const SensorEvaluation& evaluation) {
 }
 
 std::string reliabilityFigure(const SensorEvaluation& evaluation) {
-    SvgPlot plot = squarePlot("Reported against predicted share", "predicted to be reported (%)", "reported (%)");
+    SvgPlot plot = sharePlot("Reported against predicted share", "predicted to be reported (%)", "reported (%)");
     for (std::size_t i = evaluation.models.size(); i-- > 0;) {
         std::vector<Point> points;
         for (const CalibrationGroup& group : distinct(evaluation.models[i].all.groups))
@@ -120,8 +113,8 @@ std::string reliabilityFigure(const SensorEvaluation& evaluation) {
 
 std::string coverageFigure(const SensorEvaluation& evaluation, std::size_t dimension) {
     const ShownDimension& shown = shownDimension(dimension);
-    SvgPlot plot = squarePlot(cat("Readings inside the central part, ", shown.name),
-                              cat("central part of the predicted ", shown.name, " (%)"), "readings inside (%)");
+    SvgPlot plot = sharePlot(cat("Readings inside the central part, ", shown.name),
+                             cat("central part of the predicted ", shown.name, " (%)"), "readings inside (%)");
     for (std::size_t i = evaluation.models.size(); i-- > 0;)
         plot.line(coverageLine(belowHistogram(evaluation.log.cases, evaluation.models[i].scores, dimension, 200)),
                   seriesClass(i));

@@ -88,7 +88,7 @@ Expected<LoadedScenario> scenarioFor(const CompareRequest& request, DiskDescript
 Expected<DivergenceOptions> divergenceOptions(const LogWorld& world, const DivergenceRequest& request) {
     DivergenceOptions options;
     options.bound.held = fromSeconds(request.held);
-    options.fromHeldOut = !request.position && !request.heading;
+    options.fromNetwork = !request.position && !request.heading;
     if (request.position) options.bound.constant.position = *request.position;
     if (request.heading) options.bound.constant.heading = *request.heading / degrees;
     if (request.noCauses) {

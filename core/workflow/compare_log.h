@@ -17,7 +17,7 @@ constexpr const char* allWindows = "all";
 
 /// When a simulated robot is said to have left the real trajectory, and whether the causes are looked for.
 struct DivergenceRequest {
-    std::optional<double> position, heading;  ///< m, degrees; neither: what the networks' held-out errors make likely
+    std::optional<double> position, heading;  ///< m, degrees; neither: what the networks know of real runs
     double held = 0.3;                        ///< s
     bool noCauses = false;
     std::vector<std::string> models = {};  ///< that may explain it, beside those of modelsToTry(): network files

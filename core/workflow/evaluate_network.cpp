@@ -87,6 +87,58 @@ std::string fileName(const std::string& path) { return std::filesystem::path(pat
 
 }  // namespace
 
+namespace {
+
+/// The networks whose noise is judged, beside the mean alone and the constant noise of the first.
+class NoiseModels {
+public:
+    NoiseModels(std::span<const std::shared_ptr<const LearnedMotion>> networks, std::span<const RobotModels> means,
+                const Log& log, int samples)
+        : means_(means), samples_(samples) {
+        for (std::size_t i = 0; i < networks.size(); ++i) {
+            if (!networks[i]->network().noise) continue;
+            add(i, learnedModels(networks[i], log, MotionDraw::noisy), means[i].name);
+            if (i > 0) continue;
+            if (networks[i]->network().noise->constant) {
+                RobotModels constant = constantNoiseModels(networks[i], log);
+                const std::string beside = means[i].name + ", " + constant.name;
+                add(i, std::move(constant), beside);
+            }
+            alone_ = true;
+        }
+    }
+
+    std::vector<SampledModel> sampled() const {
+        std::vector<SampledModel> models;
+        for (const auto& [noisy, mean] : noisy_) models.push_back({named(noisy), named(means_[mean]), samples_});
+        if (alone_) {
+            NamedModel mean = named(means_.front());
+            mean.name += ", its mean alone";
+            models.push_back({mean, mean, 1});
+        }
+        return models;
+    }
+
+private:
+    void add(std::size_t mean, RobotModels models, std::string name) {
+        models.name = std::move(name);
+        noisy_.emplace_back(std::move(models), mean);
+    }
+
+    std::span<const RobotModels> means_;
+    int samples_;
+    std::vector<std::pair<RobotModels, std::size_t>> noisy_;  ///< with the index of its mean
+    bool alone_ = false;
+};
+
+/// The part of `progress` from one share to another.
+Progress partOf(const Progress& progress, double from, double to) {
+    if (!progress) return {};
+    return [progress, from, to](double share) { return progress(from + (to - from) * share); };
+}
+
+}  // namespace
+
 Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, const Progress& progress) {
     const auto motion = openNetwork(request.network);
     if (!motion) return tl::unexpected(motion.error());
@@ -100,13 +152,17 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
                 if (auto overlap = checkOverlap(robot.robot, trajectory); !overlap)
                     return fail(log->source, overlap.error().cause);
     std::vector<RobotModels> models;
-    models.push_back(learnedModels(*motion, *log));
-    models.back().name = fileName(request.network);
+    std::vector<std::shared_ptr<const LearnedMotion>> networks;
+    const auto addNetwork = [&](const std::shared_ptr<const LearnedMotion>& opened, const std::string& path) {
+        networks.push_back(opened);
+        models.push_back(learnedModels(opened, *log));
+        models.back().name = fileName(path);
+    };
+    addNetwork(*motion, request.network);
     for (const std::string& path : request.against) {
         const auto other = openNetwork(path);
         if (!other) return tl::unexpected(other.error());
-        models.push_back(learnedModels(*other, *log));
-        models.back().name = fileName(path);
+        addNetwork(*other, path);
     }
     for (RobotModels& baseline : kinematicModels(network, *log)) models.push_back(std::move(baseline));
     std::vector<NamedModel> views;
@@ -115,8 +171,12 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
     EvaluationOptions options;
     options.windows.horizon = fromSeconds(request.horizon);
     options.withFloor = request.withFloor;
-    auto evaluation = evaluate(*log, views, options, progress);
+    auto evaluation = evaluate(*log, views, options, partOf(progress, 0, 0.5));
     if (!evaluation) return tl::unexpected(evaluation.error());
+    const NoiseModels noise(networks, models, *log, request.samples);
+    auto forecasts = forecast(*log, evaluation->log, noise.sampled(), partOf(progress, 0.5, 1));
+    if (!forecasts) return tl::unexpected(forecasts.error());
+    evaluation->forecasts = std::move(*forecasts);
     auto chosen = chosenWindows(request.shown, evaluation->log.windows.size());
     if (!chosen) return tl::unexpected(chosen.error());
     ReportContext context = reportContext(network, request);

@@ -17,6 +17,7 @@ struct EvaluateRequest {
     double horizon = 10;                    ///< of a window, s
     bool heldOut = false;                   ///< only the part of the log that was kept from learning
     bool withFloor = true;
+    int samples = 64;                     ///< rollouts of each window by which a noise is judged
     std::vector<std::size_t> shown = {};  ///< windows whose paths a report shows too, by number from 1
     std::string command = {};             ///< what a report says that it was made by
 };

@@ -5,6 +5,7 @@
 #include "assessment/rollout.h"
 #include "io/format.h"
 #include "logs/log_reader.h"
+#include "motion/noisy_model.h"
 #include "workflow/resources.h"
 
 namespace mrose {
@@ -46,6 +47,16 @@ RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, co
     RobotModels models{motion->network().form == MotionNetwork::Form::state ? "paper's network" : "network", {}};
     for (const RobotLog& robot : log.robots)
         models.byRobot.emplace(robot.robot, std::make_unique<LearnedModel>(motion, robot.robot, draw));
+    return models;
+}
+
+RobotModels constantNoiseModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log) {
+    const MotionNoise noise = motion->network().noise->constant.value();
+    RobotModels models{"constant noise", {}};
+    for (const RobotLog& robot : log.robots)
+        models.byRobot.emplace(robot.robot,
+                               std::make_unique<NoisyModel>(
+                                   std::make_shared<const LearnedModel>(motion, robot.robot, MotionDraw::mean), noise));
     return models;
 }
 

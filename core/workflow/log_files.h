@@ -28,6 +28,8 @@ struct RobotModels {
 };
 RobotModels learnedModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log,
                           MotionDraw draw = MotionDraw::mean);
+/// The network's mean with the constant noise that is known of it (ResidualNoise::constant).
+RobotModels constantNoiseModels(const std::shared_ptr<const LearnedMotion>& motion, const Log& log);
 /// The view that an evaluation takes; `models` must outlive it.
 NamedModel named(const RobotModels& models);
 

@@ -78,6 +78,8 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log,
                                      ofUnknownRobots(network.robots, namesOf(log))};
     if (!heldOutOnly)
         notices.push_back(ofKnownLog(network, log, " --held-out judges it by what was kept from learning."));
+    if (!network.noise)
+        notices.emplace_back("The network knows its mean alone: it does not say how far real runs stray from it.");
     std::erase(notices, std::string());
     return notices;
 }

@@ -82,10 +82,10 @@ Line ours(const std::string& name, const FieldOptions& options) {
     return {name, [runs](double simulated) { runs->run(simulated); }};
 }
 
-std::shared_ptr<const MotionModel> ourNetwork() {
+std::shared_ptr<const MotionModel> ourNetwork(MotionDraw draw) {
     const auto network = loadNetwork(sourceFolder() / "nets" / "create.net");
     if (!network) return nullptr;
-    return std::make_shared<const LearnedModel>(std::make_shared<const LearnedMotion>(*network), "1");
+    return std::make_shared<const LearnedModel>(std::make_shared<const LearnedMotion>(*network), "1", draw);
 }
 
 void compareScene(const std::string& title, std::uint32_t robots, bool heavy, double simulated) {
@@ -102,8 +102,10 @@ void compareScene(const std::string& title, std::uint32_t robots, bool heavy, do
         seeing("with perception", noisyPerception());
         FieldOptions learned = options;
         learned.share = 0.1;  // a network is asked what its robot can do
-        if ((learned.model = ourNetwork()))
+        learned.motionNoise = false;
+        if ((learned.model = ourNetwork(MotionDraw::mean)))
             lines.push_back(ours("with nets/create.net, at a tenth of the speeds", learned));
+        if ((learned.model = ourNetwork(MotionDraw::noisy))) lines.push_back(ours("the same with its noise", learned));
     }
     if (!heavy) {
         seeing("with cameras of 5 m", cameraPerception(5));

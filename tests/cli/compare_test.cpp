@@ -230,10 +230,11 @@ TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealTrajectoryAndWhy) {
     EXPECT_EQ(std::count_if(many["rollouts"].begin(), many["rollouts"].end(),
                             [](const Json& c) { return c.contains("tried"); }),
               many["all"]["diverging"]);
-    const Json heldOut = result({"compare", scenario(), "--log", shippedLog(), "--every", "10"})["divergence"];
-    EXPECT_EQ(heldOut["bound"]["from_held_out"], true);
-    EXPECT_FALSE(heldOut["bound"].contains("position_m"));
-    EXPECT_LT(heldOut["all"]["diverging"], many["all"]["diverging"]);
+    EXPECT_EQ(many["bound"]["from"], "constant");
+    const Json known = result({"compare", scenario(), "--log", shippedLog(), "--every", "10"})["divergence"];
+    EXPECT_EQ(known["bound"]["from"], "noise");
+    EXPECT_FALSE(known["bound"].contains("position_m"));
+    EXPECT_LT(known["all"]["diverging"], many["all"]["diverging"]);
 }
 
 TEST_F(CompareProgram, MakesAScenarioForALogWithoutOne) {

@@ -363,7 +363,7 @@ TEST(Diagnosis, ErrorsWithinTheHeldOutOnesAreNoise) {
     }
     EXPECT_EQ(diagnosed, tight->all.diverging);
     // By the held-out errors themselves fewer diverge.
-    options.fromHeldOut = true;
+    options.fromNetwork = true;
     EXPECT_LT(divergencesOf(*world, *comparison, options)->all.diverging, tight->all.diverging);
 }
 
@@ -393,10 +393,10 @@ TEST(ComparedDivergences, AreThoseOfTheRollouts) {
     EXPECT_EQ(found->all.medianTime, quantile(times, 0.5));
     EXPECT_NE(found->of(worstFirst(*comparison).front())->diagnosis, std::nullopt) << "the worst rollout first";
     // Plain kinematics have no held-out error: the constants stay.
-    EXPECT_FALSE(knowsHeldOut(*world));
-    options.fromHeldOut = true;
+    EXPECT_EQ(boundSource(*world), BoundSource::constant);
+    options.fromNetwork = true;
     const auto constant = divergencesOf(*world, *comparison, options);
-    EXPECT_FALSE(constant->fromHeldOut);
+    EXPECT_EQ(constant->source, BoundSource::constant);
     EXPECT_EQ(constant->all.diverging, found->all.diverging);
 }
 

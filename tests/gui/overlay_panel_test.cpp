@@ -75,7 +75,7 @@ TEST_F(OverlayPanelTest, VerdictIsWholeAndInPlainWords) {
 /// What is greyed would be taken for what counts.
 TEST_F(OverlayPanelTest, BoundThatIsShownIsTheOneInForce) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 5}));
-    ASSERT_TRUE(overlay.rollouts().bound().fromHeldOut);
+    ASSERT_TRUE(overlay.rollouts().bound().fromNetwork);
     const DivergenceBound& bound = overlay.rollouts().shownRow()->bound;
     ASSERT_FALSE(bound.bySteps.empty());
     const auto shown = [&] {

@@ -23,7 +23,10 @@ std::vector<Pose> arbitraryMotion(std::uint64_t seed, std::size_t periods) {
     return increments;
 }
 
-EnergyLoss lossOf(std::vector<std::size_t> instants) { return {std::move(instants), 0.35}; }
+/// Of three instants, each with other weights.
+EnergyLoss lossOf(std::vector<std::size_t> instants) {
+    return {std::move(instants), {{1, 0.35, 0.7}, {0.5, 0.6, 3}, {2, 0.1, 0}}};
+}
 
 /// Where increments `begin` to `end` of a sample lead.
 Pose composed(const std::vector<Pose>& increments, std::size_t begin, std::size_t end) {
@@ -34,6 +37,7 @@ Pose composed(const std::vector<Pose>& increments, std::size_t begin, std::size_
 
 TEST(EnergyLoss, IsTheSumOfItsScores) {
     const auto samples = arbitraryMotion(1, sampleCount * chainLength), truth = arbitraryMotion(2, chainLength);
+    EnergyLoss loss = lossOf({2, 5, 8});
     double expected = 0;
     const auto places = [&](std::size_t begin, std::size_t end) {
         std::vector<Point> all;
@@ -44,26 +48,28 @@ TEST(EnergyLoss, IsTheSumOfItsScores) {
         const Pose real = composed(truth, begin, end);
         return energyScore(all, {real.x, real.y});
     };
-    for (const std::size_t k : {2u, 5u, 8u}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t k = loss.instants[i];
         std::vector<double> headings;
         for (std::size_t s = 0; s < sampleCount; ++s)
             headings.push_back(composed(samples, s * chainLength, s * chainLength + k).heading);
-        expected += places(0, k) + 0.35 * rankedScore(headings, composed(truth, 0, k).heading);
+        expected += loss.weights[i].place * places(0, k) +
+                    loss.weights[i].heading * rankedScore(headings, composed(truth, 0, k).heading);
     }
-    expected += places(2, 5) + places(5, 8);
+    expected += 0.7 * places(2, 5) + 3 * places(5, 8);
     const auto mean = arbitraryMotion(7, chainLength);
-    EnergyLoss loss = lossOf({2, 5, 8});
     loss.axisWeight = 0;
     EXPECT_NEAR(loss(samples, sampleCount, mean, truth, {}), expected, 1e-12);
     // Along and across the mean's heading at each instant.
-    for (const std::size_t k : {2u, 5u, 8u}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t k = loss.instants[i];
         const double heading = composed(mean, 0, k).heading;
         for (const double turned : {heading, heading + 3.14159265358979 / 2}) {
             const auto part = [&](const Pose& pose) { return std::cos(turned) * pose.x + std::sin(turned) * pose.y; };
             std::vector<double> parts;
             for (std::size_t s = 0; s < sampleCount; ++s)
                 parts.push_back(part(composed(samples, s * chainLength, s * chainLength + k)));
-            expected += 0.2 * rankedScore(parts, part(composed(truth, 0, k)));
+            expected += 0.2 * loss.weights[i].place * rankedScore(parts, part(composed(truth, 0, k)));
         }
     }
     loss.axisWeight = 0.2;
@@ -90,9 +96,10 @@ TEST(EnergyLoss, AddsTheGradientThatCentralDifferencesGive) {
 }
 
 TEST(EnergyLoss, JudgesFourInstantsOrThoseThatThereAre) {
-    EXPECT_EQ(judgedInstants(100), (std::vector<std::size_t>{10, 20, 50, 100}));
-    EXPECT_EQ(judgedInstants(4), (std::vector<std::size_t>{1, 2, 4}));
-    EXPECT_EQ(judgedInstants(1), (std::vector<std::size_t>{1}));
+    EXPECT_EQ(EnergyLoss::over(100).instants, (std::vector<std::size_t>{10, 20, 50, 100}));
+    EXPECT_EQ(EnergyLoss::over(100).weights.size(), 4u);
+    EXPECT_EQ(EnergyLoss::over(4).instants, (std::vector<std::size_t>{1, 2, 4}));
+    EXPECT_EQ(EnergyLoss::over(1).instants, (std::vector<std::size_t>{1}));
 }
 
 }  // namespace

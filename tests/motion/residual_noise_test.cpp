@@ -229,7 +229,8 @@ TEST_P(NoisyNetwork, RemembersAllOfItsNoise) {
 }
 
 TEST_P(NoisyNetwork, ItsFileKeepsEveryBit) {
-    const MotionNetwork network = noisyEnsemble(GetParam());
+    MotionNetwork network = noisyEnsemble(GetParam());
+    network.noise->constant = MotionNoise{0.1, 0.2, 0.3};
     const auto read = parseNetwork(networkText(network), "n.net");
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_TRUE(*read == network);

@@ -69,7 +69,7 @@ void addPlan(std::map<QString, QString>& lines, const Overlay& overlay) {
     lines["duration"] = plan.cut != Cut::every ? length : plan.stretch ? shortest(*plan.stretch) : "";
     const LogRollouts::Bound& bound = overlay.rollouts().bound();
     // As people read it: a number of the window's boxes has been divided and is multiplied again.
-    const auto read = [&](double number) { return bound.fromHeldOut ? "" : shortest(std::round(1e6 * number) / 1e6); };
+    const auto read = [&](double number) { return bound.fromNetwork ? "" : shortest(std::round(1e6 * number) / 1e6); };
     lines["position"] = read(100 * bound.at.position);
     lines["heading"] = read(degrees * bound.at.heading);
 }
@@ -338,10 +338,12 @@ ReportDialog* showComparisonDialog(const Exports& exports) {
                      QObject::tr("Instead: all, as mrose evaluate cuts the log; or a CSV file"));
     dialog->addNumbers(
         QObject::tr("Bou&nd"),
-        {{"position", QObject::tr("usual error"), QObject::tr("cm or"),
-          QObject::tr("cm: farther off it has left the real trajectory; empty: three times the usual error")},
-         {"heading", QObject::tr("usual error"), QString::fromUtf8("\u00b0"),
-          QObject::tr("degrees: turned by more it has left the real trajectory; empty: three times the usual error")}});
+        {{"position", QObject::tr("as robots differ"), QObject::tr("cm or"),
+          QObject::tr("cm: farther off it has left the real trajectory; empty: what the robots' networks know of "
+                      "real runs")},
+         {"heading", QObject::tr("as robots differ"), QString::fromUtf8("\u00b0"),
+          QObject::tr("degrees: turned by more it has left the real trajectory; empty: what the robots' networks "
+                      "know of real runs")}});
     dialog->addWords("models", QObject::tr("&Models"),
                      QObject::tr("Networks that may explain it, beside those that ship; or nothing"));
     const auto* folder = addFolder(*dialog);

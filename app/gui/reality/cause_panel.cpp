@@ -157,9 +157,10 @@ QWidget* CausePanel::makeBound() {
     position_ = boundBox(" cm", 1000, tr("It has left the real trajectory when it is farther off than this for 0.3 s"));
     heading_ =
         boundBox("\u00b0", 180, tr("It has left the real trajectory when it is turned by more than this for 0.3 s"));
-    heldOut_ = new QCheckBox(tr("3 \u00d7 the usual error"));
-    heldOut_->setToolTip(
-        tr("Three times what the network's errors on held-out logs make of the path and rotation so far"));
+    learned_ = new QCheckBox(tr("as real robots differ"));
+    learned_->setToolTip(
+        tr("What 99 of 100 runs of such a robot keep to, by the noise of its network; of a network that does not "
+           "know it, three times what its errors on held-out logs make of the path and rotation so far"));
     inForce_ = new QLabel;
     inForce_->setToolTip(
         tr("From the rollout's start to its end; farther off for 0.3 s it has left the real "
@@ -169,12 +170,12 @@ QWidget* CausePanel::makeBound() {
     layout->addWidget(heading_);
     layout->addWidget(inForce_);
     layout->addStretch(1);
-    below->addWidget(heldOut_);
+    below->addWidget(learned_);
     below->addStretch(1);
     below->addWidget(speeds_);
     connect(position_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &CausePanel::applyBound);
     connect(heading_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &CausePanel::applyBound);
-    connect(heldOut_, &QCheckBox::toggled, this, &CausePanel::applyBound);
+    connect(learned_, &QCheckBox::toggled, this, &CausePanel::applyBound);
     return bound;
 }
 
@@ -211,7 +212,7 @@ void CausePanel::offer(QAction& speeds) {
 
 void CausePanel::applyBound() {
     if (filling_) return;
-    overlay_.setBound({{position_->value() / 100, heading_->value() / degrees}, heldOut_->isChecked()});
+    overlay_.setBound({{position_->value() / 100, heading_->value() / degrees}, learned_->isChecked()});
 }
 
 void CausePanel::refresh() {
@@ -220,13 +221,13 @@ void CausePanel::refresh() {
     filling_ = true;
     position_->setValue(100 * overlay_.rollouts().bound().at.position);
     heading_->setValue(degrees * overlay_.rollouts().bound().at.heading);
-    heldOut_->setChecked(overlay_.rollouts().bound().fromHeldOut);
+    learned_->setChecked(overlay_.rollouts().bound().fromNetwork);
     filling_ = false;
     if (row == nullptr) return;
     // What does not count is not shown.
-    position_->setVisible(!heldOut_->isChecked());
-    heading_->setVisible(!heldOut_->isChecked());
-    inForce_->setVisible(heldOut_->isChecked());
+    position_->setVisible(!learned_->isChecked());
+    heading_->setVisible(!learned_->isChecked());
+    inForce_->setVisible(learned_->isChecked());
     inForce_->setText(inForceText(row->bound));
     fitLines();
     QString robot = qtText(overlay_.rollouts().world().robots()[row->robot].name);
@@ -241,7 +242,10 @@ void CausePanel::refresh() {
     if (divergence) whyOf_ = overlay_.rollouts().log();
     why_->setVisible(whyOf_.lock() == overlay_.rollouts().log());
     if (!divergence)
-        divergence_->setText(row->position ? tr("It stays within the bound.") : QString());
+        divergence_->setText(!row->position ? QString()
+                             : learned_->isChecked() && row->learned
+                                 ? tr("It stays within what such robots differ from themselves.")
+                                 : tr("It stays within the bound."));
     else
         divergence_->setText(tr("Leaves the real trajectory after %1 s: %2 cm, %3\u00b0")
                                  .arg(fixedText(toSeconds(divergence->time), 1),

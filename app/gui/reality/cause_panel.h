@@ -45,7 +45,7 @@ private:
     ElidingText *rollout_, *divergence_, *onset_, *cause_;
     QToolButton *goThere_, *speeds_;
     QDoubleSpinBox *position_, *heading_;
-    QCheckBox* heldOut_;
+    QCheckBox* learned_;
     QLabel* inForce_;  ///< the bound that grows with the way
     QTreeWidget* causes_;
     QWidget* why_;                          ///< it leaves

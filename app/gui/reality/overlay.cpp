@@ -220,7 +220,7 @@ void Overlay::sayError(const Error& error) {
 }
 
 void Overlay::begin(PlayedLogPointer log, const RolloutPlan& plan, std::vector<RolloutRequest> rollouts) {
-    rollouts_.setBound({DivergenceBound{}.constant, knowsHeldOut(log->world())});
+    rollouts_.setBound({DivergenceBound{}.constant, boundSource(log->world()) != BoundSource::constant});
     replace(std::move(log), plan, std::move(rollouts));
     models_.enter(rollouts_.log()->request.models);
     frame_.messages.remove(overlayTopic);
