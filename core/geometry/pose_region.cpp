@@ -46,6 +46,13 @@ Axes axesOf(const PoseRegion& region) {
     return {towards(turned), std::sqrt(middle + off), std::sqrt(std::max(leastVariance, middle - off))};
 }
 
+/// Corners about an ellipse: as few as look round, and none of it lies outside.
+Polygon coverOf(PoseRegion region, RegionShare share) {
+    constexpr std::size_t corners = 16;
+    region.extents[static_cast<std::size_t>(share)].radius /= cosine(std::numbers::pi / corners);
+    return region.outline(share, corners);
+}
+
 /// Counter-clockwise (Andrew 1979).
 Polygon hullOf(Polygon points) {
     std::sort(points.begin(), points.end(),
@@ -123,13 +130,13 @@ PoseRegion regionOf(std::span<const Pose> samples, const Pose& around) {
 std::vector<Polygon> swathOf(std::span<const PoseRegion> regions, RegionShare share, double least) {
     std::vector<Polygon> pieces;
     if (regions.empty()) return pieces;
-    Polygon before = regions.front().outline(share);
+    Polygon before = coverOf(regions.front(), share);
     if (regions.size() == 1) return {before};
     Point from = regions.front().centre;
     for (const PoseRegion& region : regions.subspan(1)) {
         if (distance(region.centre, from) < least && &region != &regions.back()) continue;
         from = region.centre;
-        Polygon outline = region.outline(share);
+        Polygon outline = coverOf(region, share);
         Polygon both = before;
         both.insert(both.end(), outline.begin(), outline.end());
         pieces.push_back(hullOf(std::move(both)));
