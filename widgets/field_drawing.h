@@ -1,17 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "debug/field_frame.h"
 #include "debug/sensor_looks.h"
 #include "debug/sensor_scans.h"
+#include "simulation/motion_bands.h"
 #include "widgets/field_canvas.h"
 #include "widgets/field_layers.h"
 #include "widgets/label_placer.h"
 
 namespace mrose {
+
+/// Where robots may be, as far as that is known.
+struct RobotBands {
+    std::shared_ptr<const MotionBands> bands;  ///< null: it is not
+    /// All of a run, whose noise began at the bands' first tick: they lie behind the robots, too. Otherwise what lies
+    /// ahead of that tick, or of one shortly after it.
+    bool ofRun = false;
+
+    bool tellOf(const FieldFrame& frame) const;
+    bool operator==(const RobotBands&) const = default;
+};
 
 /// What the eye of the user is on.
 struct FieldFocus {
@@ -21,6 +34,7 @@ struct FieldFocus {
     std::vector<std::size_t> lit;                  ///< bodies that an answer is about: all others are quiet; or none
     /// Where each body is in another branch that is looked at beside this one; nullopt: at the same place.
     std::vector<std::optional<Point>> elsewhere;
+    RobotBands bands;
     QRectF covered;  ///< pixels over which something else lies: nothing to be read is drawn there
 
     bool isQuiet(std::size_t body) const;
@@ -125,6 +139,22 @@ void drawMessage(const FieldCanvas& canvas, const QPointF& from, const QPointF& 
 void drawTrails(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawGhosts(const FieldCanvas& canvas, const FieldFrame& frame);
 void drawPredicted(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Where robots may be, the selected one's above the others: the inner band in the outer one, over the next seconds
+/// and, of all of a run, behind them; rings at whole seconds ahead.
+void drawBands(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Of bands of all of a run, rings about where robots may be now.
+void drawRegionsNow(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// How far ahead the selected robot's reach, at their end.
+struct PlacedLabel {
+    QRectF box;
+    FieldLabel label;
+};
+std::optional<PlacedLabel> bandLabel(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// In a robot's colour, on a floor of another one.
+void drawBand(QPainter& painter, const QPainterPath& outer, const QPainterPath& inner, const QColor& colour,
+              double strength = 1);
+/// Where a robot may be at the end of the bands, or that nothing is known of that; empty: there are none.
+QString bandReadout(const FieldFrame& frame, const RobotBands& bands, std::size_t body);
 /// Where real robots came from and go to in the next seconds, hollow where those of simulated ones are solid.
 void drawRealWays(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
 void drawModelWays(const FieldCanvas& canvas, const FieldFrame& frame);

@@ -22,6 +22,7 @@ enum class FieldLayer {
     radio,
     contacts,
     predicted,
+    uncertainty,
     beliefs,
     ghosts,
     reality,
@@ -64,6 +65,11 @@ inline constexpr std::array<FieldLayerText, static_cast<std::size_t>(FieldLayer:
     {FieldLayer::contacts, "layer_contacts", "Contacts", "C", "Where bodies press on one another, and how hard", true},
     {FieldLayer::predicted, "layer_predicted", "Predicted paths", "P", "The next seconds, if all go on as commanded",
      true},
+    {FieldLayer::uncertainty, "layer_uncertainty", "Uncertainty: 50 %, 90 %", "Q",
+     "Where robots may be in the next seconds, by the noise of their motion: the inner band holds half of all runs, "
+     "the "
+     "outer one 90 %; beside a real log from the rollout's start on",
+     false},
     {FieldLayer::beliefs, "layer_beliefs", "Beliefs", "B", "Where robots think that they and others are", false},
     {FieldLayer::ghosts, "layer_ghosts", "Ghosts", "J", "The same moment in other branches", true},
     {FieldLayer::reality, "layer_reality", "Reality", "R", "Where the real robots were at that time, by their log",

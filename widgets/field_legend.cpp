@@ -58,6 +58,8 @@ bool draws(const FieldFrame& frame, const FieldLayers& layers, FieldLayer layer,
             return !frame.lastTick.contacts.empty();
         case FieldLayer::predicted:
             return any(frame.predicted, [](const std::vector<Pose>& poses) { return poses.size() > 1; });
+        case FieldLayer::uncertainty:
+            return focus.bands.tellOf(frame) && !focus.bands.bands->empty();
         case FieldLayer::beliefs:
             return any(frame.insights, [&](const RobotInsight& insight) {
                 const bool looked = frame.insights.size() <= mostNames ||

@@ -46,8 +46,11 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     drawRays(canvas_, frame, focus, looks);
     if (layers_.has(FieldLayer::radio)) drawRadio(canvas_, frame, focus);
     drawBodies(canvas_, frame, layers_.has(FieldLayer::headings));
+    // Above them: that of slow robots is no longer than they are.
+    if (layers_.has(FieldLayer::uncertainty)) drawBands(canvas_, frame, focus);
     if (models) drawModelRobots(canvas_, frame, layers_.has(FieldLayer::headings));
     if (real) drawRealRobots(canvas_, frame, layers_.has(FieldLayer::headings));
+    if (layers_.has(FieldLayer::uncertainty)) drawRegionsNow(canvas_, frame, focus);
     drawScanMarks(canvas_, frame, focus, scans);
     drawFocus(canvas_, frame, focus);
     drawReadings(canvas_, frame, focus, looks);
@@ -65,6 +68,11 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     if (!focus.covered.isEmpty()) kept.push_back(focus.covered);
     kept.push_back(scaleBar().box());
     if (hasKnob(frame, focus)) kept.push_back(knobBox(canvas_.view, frame, *focus.selected));
+    if (layers_.has(FieldLayer::uncertainty))
+        if (const auto ahead = bandLabel(canvas_, frame, focus)) {
+            kept.push_back(ahead->box);
+            drawPlate(canvas_, ahead->box, ahead->label);
+        }
     if (!focus.moved || !focus.selected) return drawLabels(canvas_, frame, std::move(labels), placer, kept);
     const auto [box, numbers] = moved(frame, *focus.selected, *focus.moved);
     kept.push_back(box);

@@ -95,6 +95,12 @@ void FieldView::setElsewhere(std::vector<std::optional<Point>> elsewhere) {
     update();
 }
 
+void FieldView::setBands(const RobotBands& bands) {
+    if (bands == focus_.bands) return;
+    focus_.bands = bands;
+    update();
+}
+
 void FieldView::followLabels(const LabelPlacer& labels) {
     likeLabels_ = labels;
     if (!labels_.standsLike(labels)) update();
@@ -149,6 +155,8 @@ void FieldView::paint(QPainter& painter, const QSizeF& size) const {
 
 FieldPicture FieldView::picture() const {
     FieldPicture picture{transform(), theme_, layers_, {focus_.selected, {}, {}}, viewport_.following(), font()};
+    // Of other ticks only those of all of a run say something.
+    if (focus_.bands.ofRun) picture.focus.bands = focus_.bands;
     picture.whole = viewport_.fitted();
     picture.margins = viewport_.margins();
     return picture;
@@ -259,6 +267,7 @@ QString FieldView::readoutAt(const QPointF& pixels) const {
     if (body) parts += bodyReadout(*frame_, *body);
     if (layers_.has(FieldLayer::reality)) parts += realReadout(*frame_, body, transform().toMetres(pixels));
     if (body && layers_.has(FieldLayer::models)) parts += modelReadout(*frame_, *body);
+    if (body && layers_.has(FieldLayer::uncertainty)) parts += bandReadout(*frame_, focus_.bands, *body);
     parts += readingReadout(transform(), *frame_, shownLooks(*frame_, layers_, focus_), pixels);
     parts += scanReadout(transform(), *frame_, shownScans(*frame_, layers_, focus_), pixels);
     parts += signs;

@@ -50,6 +50,9 @@ public:
     void lightUp(const std::vector<std::size_t>& bodies);
     /// Of each body where it is in another branch; nullopt: at the same place.
     void setElsewhere(std::vector<std::optional<Point>> elsewhere);
+    /// Drawn where that layer is shown, until others are given.
+    void setBands(const RobotBands& bands);
+    const RobotBands& bands() const { return focus_.bands; }
     /// Labels stand where those of another view do, where they can.
     void followLabels(const LabelPlacer& labels);
     /// Moves the selected body by metres and radians, if that is allowed. While the Alt key is held the moves add up,

@@ -119,6 +119,20 @@ void drawRowSample(const FieldCanvas& canvas, const QRectF& box) {
     }
 }
 
+/// Bands that widen from the left end of the box on.
+void drawBandSample(QPainter& painter, const QRectF& box, const QColor& colour) {
+    const auto widening = [&](double half) {
+        const QPointF from(box.left() + inset, box.center().y()), to(box.right() - inset - half, box.center().y());
+        QPainterPath path(from);
+        path.lineTo(to + QPointF(0, half));
+        path.arcTo(QRectF(to - QPointF(half, half), 2 * QSizeF(half, half)), -90, 180);
+        path.closeSubpath();
+        return path;
+    };
+    const double half = box.height() / 2 - 1;
+    drawBand(painter, widening(half), widening(0.45 * half), colour);
+}
+
 /// A field of view from the left end of the box on.
 void drawSector(QPainter& painter, const QRectF& box, double share = 1) {
     painter.drawPie(circleIn(box, share), -sampleHalf, 2 * sampleHalf);
@@ -194,6 +208,9 @@ void drawSample(QPainter& painter, const QRectF& box, FieldLayer layer, const Th
             break;
         case FieldLayer::predicted:
             drawPath(canvas, box, theme.dark ? QColor(255, 255, 255) : neutral);
+            break;
+        case FieldLayer::uncertainty:
+            drawBandSample(painter, box, colour);
             break;
         case FieldLayer::beliefs:
             drawOutlineSample(canvas, box, colour, false);

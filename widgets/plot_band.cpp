@@ -91,6 +91,16 @@ PlotBand::PlotBand(QCustomPlot& plot, const QString& unit, int row)
 }
 
 void PlotBand::addCurve(const PlotCurve& curve) {
+    if (!curve.expected.isEmpty()) {
+        Shaded shaded{&curve, {}};
+        for (QCPGraph*& edge : shaded.edges) {
+            edge = plot_.addGraph(time(), value());
+            edge->setLayer("grid");  // below all curves
+            edge->setPen(Qt::NoPen);
+        }
+        for (const std::size_t low : {0u, 2u}) shaded.edges[low + 1]->setChannelFillGraph(shaded.edges[low]);
+        shaded_.push_back(shaded);
+    }
     if (!curve.ahead.isEmpty()) ahead_.emplace_back(&curve, plot_.addGraph(time(), value()));
     graphs_.emplace_back(&curve, plot_.addGraph(time(), value()));
 }
@@ -172,6 +182,7 @@ void PlotBand::fill(const PlotAxis& axis, int bands) {
     Extent extent;
     fillCurves(axis, extent);
     fillAhead(axis, extent);
+    fillExpected(axis, extent);
     fillLevels(axis, extent);
     time()->setRange(axis.seconds(axis.from()), axis.seconds(axis.to()));
     value()->ticker()->setTickCount(std::clamp(plot_.height() / bands / 30, 1, 6));
@@ -217,6 +228,31 @@ void PlotBand::fillAhead(const PlotAxis& axis, Extent& extent) {
         graph->setPen(aheadPen(*curve, unknown_->visible() ? unknown_->brush().color() : known_));
         graph->data()->set(drawn, true);
     }
+}
+
+/// What is shaded may be far wider than the curves: that much of it does not make the axis longer.
+void PlotBand::fillExpected(const PlotAxis& axis, Extent& extent) {
+    const double size = extent.least <= extent.most ? extent.most - extent.least : 0;
+    const double farthest = timesCurves * std::max(size, leastSpan(unit_));
+    Extent wider = extent;
+    for (const auto& [curve, edges] : shaded_) {
+        const ExpectedColours colours = expectedColours(*curve, known_);
+        std::array<QVector<QCPGraphData>, 4> drawn;
+        for (const ExpectedRange& range : curve->expected) {
+            const std::array numbers{range.mostLow, range.mostHigh, range.halfLow, range.halfHigh};
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                drawn[i].append({axis.seconds(range.tick), numbers[i]});
+                const bool seen = range.tick >= axis.from() && range.tick <= axis.to();
+                if (seen && numbers[i] >= extent.least - farthest && numbers[i] <= extent.most + farthest)
+                    wider.include(numbers[i]);
+            }
+        }
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            edges[i]->data()->set(drawn[i], true);
+            if (i % 2 == 1) edges[i]->setBrush(i == 1 ? colours.most : colours.half);
+        }
+    }
+    extent = wider;
 }
 
 void PlotBand::fillLevels(const PlotAxis& axis, Extent& extent) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -51,6 +52,7 @@ private:
     QCPAxis* value() const { return rect_->axis(QCPAxis::atLeft); }
     struct Extent;
     void fillCurves(const PlotAxis& axis, Extent& extent);
+    void fillExpected(const PlotAxis& axis, Extent& extent);
     void fillAhead(const PlotAxis& axis, Extent& extent);
     void fillLevels(const PlotAxis& axis, Extent& extent);
     void fitRange(const Extent& extent);
@@ -66,6 +68,12 @@ private:
     std::vector<std::pair<const PlotCurve*, QCPGraph*>> graphs_;
     std::vector<std::pair<const PlotCurve*, QCPGraph*>> ahead_;  ///< of what has not happened yet
     std::vector<std::pair<const PlotLevel*, QCPGraph*>> levels_;
+    /// The edges of what is shaded: of most runs, of half of them, each the lower one and the upper.
+    struct Shaded {
+        const PlotCurve* curve;
+        std::array<QCPGraph*, 4> edges;
+    };
+    std::vector<Shaded> shaded_;
 };
 
 }  // namespace mrose

@@ -26,6 +26,25 @@ QPen aheadPen(const PlotCurve& curve, const QColor& ground) {
     return pen;
 }
 
+ExpectedColours expectedColours(const PlotCurve& curve, const QColor& ground) {
+    return {mixed(curve.colour, ground, 0.66), mixed(curve.colour, ground, 0.84)};
+}
+
+std::vector<const PlotCurve*> shadedOf(const std::vector<PlotCurve>& curves, bool byUnit) {
+    std::vector<const PlotCurve*> shaded;
+    for (const PlotCurve& curve : curves) {
+        const auto alike = [&](const PlotCurve* other) {
+            return byUnit ? other->unit == curve.unit : other->colour == curve.colour;
+        };
+        if (!curve.expected.isEmpty() && std::none_of(shaded.begin(), shaded.end(), alike)) shaded.push_back(&curve);
+    }
+    return shaded;
+}
+
+QPen expectedPen(const PlotCurve& curve, const QColor& ground) {
+    return QPen(expectedColours(curve, ground).half, 8, Qt::SolidLine, Qt::FlatCap);
+}
+
 double numberAt(const PlotCurve& curve, std::int64_t tick, std::int64_t last) {
     if (tick <= last || curve.ahead.isEmpty()) return curve.at(tick);
     const auto after = std::upper_bound(curve.ahead.begin(), curve.ahead.end(), static_cast<double>(tick),

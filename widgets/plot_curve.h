@@ -7,8 +7,16 @@
 #include <QVector>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace mrose {
+
+/// Between which numbers a curve is to be expected at a tick: the half, and most, of all runs. NaN interrupts it.
+struct ExpectedRange {
+    double tick = 0;
+    double halfLow = 0, halfHigh = 0, mostLow = 0, mostHigh = 0;
+    bool operator==(const ExpectedRange&) const = default;
+};
 
 /// Some number over the ticks. Drawing asks for as much as is seen.
 struct PlotCurve {
@@ -21,8 +29,9 @@ struct PlotCurve {
     bool ghost = false;  ///< of another branch: thin and pale, beside the curve of the same name
     Qt::PenStyle style = Qt::SolidLine;
     int decimals = 3;
-    bool fromZero = false;   ///< it is never below, and an axis of such curves begins there
-    QVector<QPointF> ahead;  ///< (tick, number): known before it has happened; drawn faintly from there on
+    bool fromZero = false;            ///< it is never below, and an axis of such curves begins there
+    QVector<ExpectedRange> expected;  ///< shaded behind it; empty: not known
+    QVector<QPointF> ahead;           ///< (tick, number): known before it has happened; drawn faintly from there on
     /// Points (tick, number) between two ticks, of each `step` of them a few (curve_sampling.h).
     std::function<void(std::int64_t from, std::int64_t to, std::int64_t step, QVector<QPointF>& points)> sample;
     std::function<double(std::int64_t tick)> at;  ///< NaN: unknown
@@ -35,6 +44,16 @@ QPen curvePen(const PlotCurve& curve);
 /// What is drawn of it ahead of time, on a ground of that colour: thinner, and as pale as can still be seen there. It
 /// covers: what is drawn in pieces has no seams.
 QPen aheadPen(const PlotCurve& curve, const QColor& ground);
+
+/// The grounds on which half and most of all runs lie, on a ground of that colour.
+struct ExpectedColours {
+    QColor half, most;
+};
+ExpectedColours expectedColours(const PlotCurve& curve, const QColor& ground);
+/// Curves with such grounds that are named in a legend: one of each unit, or of each colour.
+std::vector<const PlotCurve*> shadedOf(const std::vector<PlotCurve>& curves, bool byUnit);
+/// The like of it in a legend.
+QPen expectedPen(const PlotCurve& curve, const QColor& ground);
 
 /// What curves of a unit are held against: a dashed line through (tick, number), whose last number goes on.
 struct PlotLevel {

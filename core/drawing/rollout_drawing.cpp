@@ -20,6 +20,9 @@ const SvgDrawing::Style simulatedStyle{.stroke = simulated, .strokeWidth = simul
 const SvgDrawing::Style missStyle{.stroke = quietMark, .strokeWidth = missWidth, .dotted = true, .labelsAvoid = true};
 const SvgDrawing::Style startStyle{.fill = white, .stroke = quietMark, .strokeWidth = 2.5, .labelsAvoid = true};
 
+// Upon one another the half is the stronger.
+const SvgDrawing::Style regionStyle{.fill = simulated, .opacity = 0.2};
+
 constexpr Colour leaving{213, 94, 0};
 const SvgDrawing::Style leavesStyle{.fill = white, .stroke = leaving, .strokeWidth = 3, .labelsAvoid = true};
 
@@ -29,6 +32,9 @@ bool isKnown(const Pose& pose) { return isFinite(position(pose)); }
 std::optional<Area> areaRound(std::span<const DrawnRollout> rollouts) {
     constexpr double margin = 0.5, least = 3;
     Area area{{1, 1}, {-1, -1}};
+    for (const DrawnRollout& rollout : rollouts)
+        for (const PoseRegion& region : rollout.regions)
+            for (const Point& corner : region.outline(RegionShare::most)) area.include(corner);
     for (const DrawnRollout& rollout : rollouts)
         for (const std::vector<Pose>* const poses : {&rollout.real, &rollout.simulated})
             for (const Pose& pose : *poses)
@@ -60,13 +66,17 @@ void addMiss(SvgDrawing& drawing, const DrawnRollout& rollout) {
     if (!rollout.miss.empty()) drawing.labelBeside(0.5 * (ends[0] + ends[1]), rollout.miss);
 }
 
-std::vector<Entry> legend(const RolloutPicture& picture, bool anyLeaves) {
+std::vector<Entry> legend(const RolloutPicture& picture, bool anyRegions, bool anyLeaves) {
     using Symbol = Entry::Symbol;
     std::vector<Entry> entries{{Symbol::line, realStyle, picture.real + " path"},
                                {Symbol::line, simulatedStyle, "simulated path"},
                                {Symbol::dot, startStyle, "start"},
                                {Symbol::pointer, {.fill = simulated}, "heading, " + picture.arrowInterval},
                                {Symbol::line, missStyle, "error at the end"}};
+    if (anyRegions) {
+        SvgDrawing::Style sample{.stroke = simulated, .strokeWidth = 9, .opacity = regionStyle.opacity};
+        entries.push_back({Symbol::line, sample, "90 % of runs; half of them: darker"});
+    }
     if (anyLeaves) entries.push_back({Symbol::dot, leavesStyle, "leaves the " + picture.real + " trajectory"});
     return entries;
 }
@@ -77,6 +87,9 @@ std::string drawRollouts(const Environment& environment, const RolloutPicture& p
                          std::span<const DrawnRollout> rollouts) {
     SvgDrawing drawing;
     addEnvironment(drawing, environment, {}, true);
+    for (const DrawnRollout& rollout : rollouts)
+        for (const RegionShare share : {RegionShare::most, RegionShare::half})
+            drawing.area(swathOf(rollout.regions, share), regionStyle);
     for (const DrawnRollout& rollout : rollouts) addPath(drawing, rollout.real, realStyle);
     for (const DrawnRollout& rollout : rollouts) addPath(drawing, rollout.simulated, simulatedStyle);
     for (const DrawnRollout& rollout : rollouts) {
@@ -87,6 +100,8 @@ std::string drawRollouts(const Environment& environment, const RolloutPicture& p
         drawing.dot(position(*start), startRadius, startStyle);
         drawing.labelBeside(position(*start), rollout.name);
     }
+    const bool anyRegions =
+        std::any_of(rollouts.begin(), rollouts.end(), [](const auto& rollout) { return !rollout.regions.empty(); });
     bool anyLeaves = false;
     for (const DrawnRollout& rollout : rollouts) {
         addMiss(drawing, rollout);
@@ -96,7 +111,7 @@ std::string drawRollouts(const Environment& environment, const RolloutPicture& p
     }
     return drawing.text({.title = picture.title,
                          .subtitle = picture.subtitle,
-                         .legend = legend(picture, anyLeaves),
+                         .legend = legend(picture, anyRegions, anyLeaves),
                          .longestSide = 760,
                          .shown = areaRound(rollouts)});
 }

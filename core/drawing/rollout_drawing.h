@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "geometry/pose_region.h"
 #include "scene/environment.h"
 
 namespace mrose {
@@ -18,6 +19,7 @@ struct DrawnRollout {
     std::vector<Pose> real, simulated;
     std::string miss;                        ///< written beside the ends: how far they are apart; may be empty
     std::optional<std::size_t> leaves = {};  ///< where it leaves the real trajectory, in `simulated`: a ring
+    std::vector<PoseRegion> regions = {};    ///< where it may be, by samples, at instants of its own; may be empty
 };
 
 struct RolloutPicture {

@@ -173,6 +173,17 @@ void SvgDrawing::outline(std::span<const Point> points, bool closed, const Style
     });
 }
 
+void SvgDrawing::area(std::vector<Polygon> pieces, const Style& style) {
+    if (pieces.empty()) return;
+    for (const Polygon& piece : pieces)
+        for (const Point& point : piece) drawn_.include(point);
+    marks_.push_back([pieces = std::move(pieces), style](const Page& page) {
+        SvgPath path;
+        for (const Polygon& piece : pieces) path += SvgPath(page.onPage(piece), true);
+        return svgPath(path, look(style, page.scale));
+    });
+}
+
 void SvgDrawing::circle(const Point& centre, double radius, const Style& style) {
     drawn_.include(centre, radius + (style.strokeInMetres ? style.strokeWidth / 2 : 0));
     marks_.push_back(

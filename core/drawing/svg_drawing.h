@@ -43,6 +43,8 @@ public:
     void polygon(std::span<const Point> corners, const Style& style) { outline(corners, true, style); }
     /// What is not finite interrupts it.
     void line(std::span<const Point> points, const Style& style) { outline(points, false, style); }
+    /// Pieces of one sense of turning that may overlap, as one area.
+    void area(std::vector<Polygon> pieces, const Style& style);
     void circle(const Point& centre, double radius, const Style& style);
     /// A pixel size however large the picture is.
     void dot(const Point& centre, double pixels, const Style& style);

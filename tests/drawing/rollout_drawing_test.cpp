@@ -55,6 +55,25 @@ TEST(RolloutDrawing, RealAndSimulatedPathsAreBothSeenAndInterruptedByGaps) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(RolloutDrawing, RegionsAreOneAreaEachBelowThePaths) {
+    std::vector<DrawnRollout> rollouts = twoRollouts();
+    const std::string without = drawn(rollouts);
+    for (int i = 0; i <= 4; ++i) {
+        const std::vector<Pose> samples{{1.0 * i, 0, 0}, {1.0 * i, 0.1 * i, 0}, {1.0 * i, -0.1 * i, 0}};
+        rollouts[0].regions.push_back(regionOf(samples, samples[0]));
+    }
+    const std::string svg = drawn(rollouts);
+    const std::string fill = "fill=\"#005b9c\"";
+    std::vector<std::string> areas;
+    const std::regex path("<path d=\"(M[^\"]*)\" " + fill + "[^>]*opacity=\"0.20\"");
+    for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) areas.push_back((*it)[1]);
+    ASSERT_EQ(areas.size(), 2u) << "90 % and half, of the rollout that has them";
+    for (const std::string& area : areas) EXPECT_EQ(countOf(area, "M"), 4u) << "one from instant to instant";
+    EXPECT_LT(svg.find(areas[1]), svg.find(pathsOf(svg, "#f0a828")[0]));
+    EXPECT_NE(svg.find("90 % of runs"), std::string::npos);
+    EXPECT_EQ(without.find("90 % of runs"), std::string::npos);
+}
+
 TEST(RolloutDrawing, NamesStandBesideStartsAndErrorsBesideEnds) {
     const std::string svg = drawn(twoRollouts());
     for (const char* label : {"one", "two &lt;2&gt;", "40.0 cm"})

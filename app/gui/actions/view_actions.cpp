@@ -5,6 +5,7 @@
 #include "actions/window_actions.h"
 #include "frame/actions.h"
 #include "frame/window_memory.h"
+#include "reality/field_bands.h"
 #include "widgets/field_view.h"
 #include "widgets/icons.h"
 
@@ -16,6 +17,8 @@ constexpr double nudgeStep = 0.01;  // m
 constexpr double nudgeTurn = std::numbers::pi / 180;
 constexpr std::array trailSeconds{2, 5, 10, 20, 40, 120, 600};
 constexpr std::size_t usualTrail = 2;
+constexpr std::array bandSeconds{1, 2, 5, 10, 20, 40};
+constexpr std::size_t usualBand = 2;
 
 void addPanActions(const WindowFrame& frame, FieldView& field, const QString& menu) {
     struct Way {
@@ -72,6 +75,27 @@ void addTrailActions(const WindowFrame& frame, const QString& menu) {
     frame.actions.add(menu,
                       {"trails_shorter", QObject::tr("Shorter trails"), QKeySequence("Ctrl+T"),
                        QObject::tr("Trails reach less far back, down to two seconds")},
+                      [change](bool) { change(-1); });
+}
+
+/// How far ahead it is shown where robots may be, by steps of a list.
+void addBandActions(const WindowFrame& frame, FieldView& field, FieldBands& bands, const QString& menu) {
+    const auto chosen = std::make_shared<std::size_t>(usualBand);
+    const auto change = [&frame, &field, &bands, chosen](int by) {
+        const std::size_t next = *chosen + static_cast<std::size_t>(by);
+        if (next >= bandSeconds.size()) return;
+        *chosen = next;
+        bands.setAhead(bandSeconds[next] * nanosecondsPerSecond);
+        if (!field.layers().has(FieldLayer::uncertainty)) frame.actions["layer_uncertainty"].trigger();
+        frame.say(QObject::tr("Where robots may be in the next %1 s").arg(bandSeconds[next]));
+    };
+    frame.actions.add(menu,
+                      {"uncertainty_longer", QObject::tr("Uncertainty further ahead"), QKeySequence("Shift+Q"),
+                       QObject::tr("Where robots may be is shown further ahead, up to 40 s")},
+                      [change](bool) { change(1); });
+    frame.actions.add(menu,
+                      {"uncertainty_shorter", QObject::tr("Uncertainty less far ahead"), QKeySequence("Alt+Q"),
+                       QObject::tr("Where robots may be is shown less far ahead, down to 1 s")},
                       [change](bool) { change(-1); });
 }
 
@@ -132,7 +156,7 @@ void addViewActions(const WindowFrame& frame, FieldView& field, const std::funct
         [&](bool on) { frame.window.setWindowState(frame.window.windowState().setFlag(Qt::WindowFullScreen, on)); });
 }
 
-void addLayerActions(const WindowFrame& frame, FieldView& field) {
+void addLayerActions(const WindowFrame& frame, FieldView& field, FieldBands& bands) {
     for (const FieldLayerText& layer : fieldLayerTexts) {
         QAction* action = frame.actions.add(
             QObject::tr("&Layers"),
@@ -146,6 +170,7 @@ void addLayerActions(const WindowFrame& frame, FieldView& field) {
     }
     frame.actions.addSeparator(QObject::tr("&Layers"));
     addTrailActions(frame, QObject::tr("&Layers"));
+    addBandActions(frame, field, bands, QObject::tr("&Layers"));
 }
 
 }  // namespace mrose::gui

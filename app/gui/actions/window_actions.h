@@ -19,6 +19,7 @@ class BranchPanel;
 class BreakpointPanel;
 class CommandPanel;
 class ErrorPlot;
+class FieldBands;
 class OverlayPanel;
 class SideView;
 class TimeBar;
@@ -34,7 +35,7 @@ void addTimeActions(const WindowFrame& frame, const FieldView& field, TimelineBa
 void addBranchActions(const WindowFrame& frame, SideView& view, BranchPanel& branches, CommandPanel& command);
 void addBreakActions(const WindowFrame& frame, const FieldView& field, BreakpointPanel& panel, Overlay& overlay);
 void addViewActions(const WindowFrame& frame, FieldView& field, const std::function<void(const Theme&)>& setTheme);
-void addLayerActions(const WindowFrame& frame, FieldView& field);
+void addLayerActions(const WindowFrame& frame, FieldView& field, FieldBands& bands);
 void addPlotActions(const WindowFrame& frame, FieldView& field, PlotPanel& plots, Inspector& inspector,
                     Overlay& overlay, OverlayPanel& panel, ErrorPlot& errorPlot);
 void addExportActions(const Exports& exports);

@@ -76,7 +76,7 @@ void CurveList::setLines(const std::vector<Line>& lines, const Theme& theme) {
         item->setForeground(0, isName ? theme.quietText : theme.text);
         item->setToolTip(0, isName ? line.group : line.tip);
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        if (isName) item->setText(1, {});
+        if (isName || !line.counts) item->setText(1, {});
         units_.push_back(isName ? QString() : line.unit);
         item->setText(2, units_.back());
         item->setForeground(2, theme.quietText);

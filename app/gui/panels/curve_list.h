@@ -22,6 +22,7 @@ public:
         QString group = {};  ///< written above the first of those that have it; empty: nothing
         int number = 0;      ///< the caller's for it
         std::size_t axis = 0;
+        bool counts = true;  ///< it has numbers
     };
     void setLines(const std::vector<Line>& lines, const Theme& theme);
     /// Of a line. The column grows with its numbers and stays so: nothing jumps.

@@ -11,14 +11,15 @@
 #include "widgets/qt_text.h"
 
 namespace mrose::gui {
+
+QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
+
 namespace {
 
 constexpr std::array styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
 
 /// Of a curve and its ground: on a light one less, where a robot's yellow would else be brown.
 double leastContrast(const Theme& theme) { return theme.dark ? 4.5 : 3; }
-
-QColor groundOf(const Theme& theme) { return theme.dark ? theme.surround : QColor(Qt::white); }
 
 /// One robot's curves on one axis are told apart by their lines, and by how light they are: the second is darker where
 /// that is still seen.

@@ -10,6 +10,9 @@
 
 namespace mrose::gui {
 
+/// What curves are drawn on, as far as something has happened.
+QColor groundOf(const Theme& theme);
+
 struct CurveLook {
     QColor colour;
     Qt::PenStyle style = Qt::SolidLine;

@@ -382,6 +382,9 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme, ModelNames names)
             if (known != nullptr && !ghost)
                 if (const auto ahead = known->ahead.find(keys_[i]); ahead != known->ahead.end())
                     curve.ahead = ahead->second;
+            if (known != nullptr && !ghost)
+                if (const auto expected = known->expected.find(keys_[i]); expected != known->expected.end())
+                    curve.expected = expected->second;
             curves.push_back(std::move(curve));
         }
     };
@@ -430,6 +433,12 @@ void PlotPanel::updateList() {
     for (const PlotLevel& level : levels())
         add(dashed, tr("bound"), level.unit,
             tr("Farther off for 0.3 s it has left the real trajectory; the upright line is where"), {});
+    for (const PlotCurve* const curve : shadedOf(view_->curves(), byAxis)) {
+        add(expectedPen(*curve, groundOf(theme_)), tr("50 %, paler: 90 %"), curve->unit,
+            tr("Shaded: where half and 90 % of all runs are, by the noise of the robot's motion"), {});
+        lines.back().unit.clear();
+        lines.back().counts = false;
+    }
     if (!byBody)
         std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.axis < b.axis; });
     list_->setLines(lines, theme_);

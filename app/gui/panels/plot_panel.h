@@ -58,10 +58,11 @@ public:
 
     /// What is known of a run before it has happened.
     struct Foresight {
-        std::uint64_t run = 0;                       ///< Shown::run
-        std::int64_t end = 0;                        ///< the tick to which the axis of time reaches
-        QString model;                               ///< that moves the run's robots
-        std::map<ValueKey, QVector<QPointF>> ahead;  ///< PlotCurve::ahead
+        std::uint64_t run = 0;                                ///< Shown::run
+        std::int64_t end = 0;                                 ///< the tick to which the axis of time reaches
+        QString model;                                        ///< that moves the run's robots
+        std::map<ValueKey, QVector<QPointF>> ahead;           ///< PlotCurve::ahead
+        std::map<ValueKey, QVector<ExpectedRange>> expected;  ///< PlotCurve::expected
         bool operator==(const Foresight&) const = default;
     };
     void setForesight(Foresight foresight);

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "frame/window_memory.h"
+#include "reality/expected_numbers.h"
+#include "reality/field_bands.h"
 #include "reality/overlay.h"
 #include "session/session.h"
 #include "widgets/field_view.h"
@@ -60,8 +62,15 @@ std::vector<ValueKey> errorKeysOf(const Reality& reality, const std::string& rob
 }
 
 ErrorPlot::ErrorPlot(const WindowFrame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock,
-                     Overlay& overlay)
-    : QObject(&frame.window), frame_(frame), field_(field), plots_(plots), dock_(dock), overlay_(overlay) {
+                     Overlay& overlay, FieldBands& bands)
+    : QObject(&frame.window),
+      frame_(frame),
+      field_(field),
+      plots_(plots),
+      dock_(dock),
+      overlay_(overlay),
+      bands_(bands) {
+    connect(&bands, &FieldBands::rolloutChanged, this, &ErrorPlot::follow);
     connect(&overlay, &Overlay::changed, this, &ErrorPlot::follow);
     connect(&overlay, &Overlay::closed, &plots, &PlotPanel::removeReal);
     connect(&frame.session, &Session::shown, this, &ErrorPlot::follow);
@@ -159,6 +168,7 @@ void ErrorPlot::plot() {
     const auto which = robot();
     Plotted now{rollout_, shown ? shown->frame->reality : nullptr, which,
                 shown && shown->branch == overlay_.shown().comparedBranch(), on_ && frame_.memory.errorPlot()};
+    if (now.compared) now.bands = bands_.ofRollout();
     if (plotted_ == now) return;
     plotted_ = now;
     std::vector<ValueKey> wanted;
@@ -193,6 +203,7 @@ PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) cons
             known.ahead[key] = errorsAlong(reality, *model, static_cast<std::size_t>(real - reality.robots.begin()),
                                            key.quantity, known.end, scene.tickLength);
     }
+    if (plotted_->bands) known.expected = expectedOf(*plotted_->bands, scene);
     return known;
 }
 

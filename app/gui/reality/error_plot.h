@@ -10,6 +10,7 @@
 #include "frame/window_frame.h"
 #include "panels/plot_panel.h"
 #include "session/job_queue.h"
+#include "simulation/motion_bands.h"
 
 class QDockWidget;
 
@@ -19,6 +20,7 @@ class FieldView;
 
 namespace mrose::gui {
 
+class FieldBands;
 class Overlay;
 
 /// Position and heading errors of a robot that really drove, of the run first and then of each model.
@@ -31,7 +33,8 @@ class ErrorPlot final : public QObject {
     Q_OBJECT
 
 public:
-    ErrorPlot(const WindowFrame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay);
+    ErrorPlot(const WindowFrame& frame, const FieldView& field, PlotPanel& plots, QDockWidget& dock, Overlay& overlay,
+              FieldBands& bands);
 
     void setOn(bool on);  ///< of the log that is open
     /// Shows the plots' dock, unless it was closed.
@@ -53,6 +56,7 @@ private:
     PlotPanel& plots_;
     QDockWidget& dock_;
     Overlay& overlay_;
+    FieldBands& bands_;
     bool on_ = true;
     bool changing_ = false;                      ///< what is plotted changes by this alone
     const void* world_ = nullptr;                ///< the log that is open
@@ -66,6 +70,7 @@ private:
         std::optional<std::size_t> robot;
         bool compared = false;  ///< the shown branch is what `rollout` describes
         bool on = false;
+        std::shared_ptr<const MotionBands> bands = {};  ///< of that branch
         bool operator==(const Plotted&) const = default;
     };
     std::optional<Plotted> plotted_;

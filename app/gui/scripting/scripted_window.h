@@ -6,6 +6,7 @@
 namespace mrose::gui {
 
 class ErrorPlot;
+class FieldBands;
 class OverlayPanel;
 class TimeBar;
 
@@ -15,6 +16,7 @@ struct ScriptedWindow {
     FieldView& field;
     PlotPanel& plots;
     ErrorPlot& errors;
+    FieldBands& bands;
     Overlay& overlay;
     OverlayPanel& reality;
     TimeBar& time;

@@ -28,6 +28,7 @@
 #include "panels/side_view.h"
 #include "panels/time_bar.h"
 #include "reality/error_plot.h"
+#include "reality/field_bands.h"
 #include "reality/overlay.h"
 #include "reality/overlay_panel.h"
 #include "reality/run_timeline.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
       reality_(new OverlayPanel(*overlay_)),
       strip_(new RolloutStrip),
       runTimeline_(new RunTimeline(frame_, *timeline_, view_->field(), *plots_, *overlay_)),
+      bands_(new FieldBands(frame_, view_->field(), *overlay_)),
       exports_{frame_, view_->field(), *plots_, *files_, *overlay_, *background_, *progress_} {
     view_->setObjectName("field");
     timeline_->setObjectName("timeline");
@@ -85,7 +87,7 @@ MainWindow::MainWindow(QWidget* parent)
     layout->addWidget(timeline_);
     setCentralWidget(middle);
     makeDocks();
-    errors_ = new ErrorPlot(frame_, field(), *plots_, (*docks_)["plots"], *overlay_);
+    errors_ = new ErrorPlot(frame_, field(), *plots_, (*docks_)["plots"], *overlay_, *bands_);
     makeActions();
     addToolBar(time_);
     time_->addActions();
@@ -115,7 +117,7 @@ void MainWindow::makeActions() {
     addBranchActions(frame_, *view_, *branches_, *command_);
     addBreakActions(frame_, field(), *breakpoints_, *overlay_);
     addViewActions(frame_, field(), [this](const Theme& theme) { setTheme(theme); });
-    addLayerActions(frame_, field());
+    addLayerActions(frame_, field(), *bands_);
     addPlotActions(frame_, field(), *plots_, *inspector_, *overlay_, *reality_, *errors_);
     addExportActions(exports_);
     actions_.addSeparator(tr("&View"));
@@ -254,7 +256,7 @@ void MainWindow::lookAtKick(std::size_t robot) {
 FieldView& MainWindow::field() const { return view_->field(); }
 
 ScriptedWindow MainWindow::scripted() const {
-    return {frame_, field(), *plots_, *errors_, *overlay_, *reality_, *time_, exports_};
+    return {frame_, field(), *plots_, *errors_, *bands_, *overlay_, *reality_, *time_, exports_};
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -28,6 +28,7 @@ class BranchPanel;
 class BreakpointPanel;
 class CommandPanel;
 class Docks;
+class FieldBands;
 class FocusRing;
 class RunTimeline;
 class SideView;
@@ -61,6 +62,7 @@ public:
     BranchPanel& branchPanel() const { return *branches_; }
     BreakpointPanel& breakpointPanel() const { return *breakpoints_; }
     TimeBar& timeBar() const { return *time_; }
+    FieldBands& bands() const { return *bands_; }
     Overlay& overlay() const { return *overlay_; }
     OverlayPanel& overlayPanel() const { return *reality_; }
     RolloutStrip& rolloutStrip() const { return *strip_; }
@@ -108,6 +110,7 @@ private:
     OverlayPanel* reality_;
     RolloutStrip* strip_;
     RunTimeline* runTimeline_;
+    FieldBands* bands_;
     ErrorPlot* errors_ = nullptr;
     Exports exports_;
 };
