@@ -19,10 +19,10 @@ struct ForecastAt {
     static constexpr std::size_t errors = 3;
     using PerError = std::array<double, errors>;
 
-    Nanoseconds time = 0;           ///< since the start
-    double energy = 0;              ///< m: mean energy score of the position
-    PerError ranked{};              ///< mean continuous ranked probability scores
-    PerError half{}, nineTenths{};  ///< how wide the samples' central 50 and 90 % are, means
+    Nanoseconds time = 0;              ///< since the start
+    double energy = 0;                 ///< m: mean energy score of the position
+    PerError ranked{};                 ///< mean continuous ranked probability scores
+    PerError half{}, nineTenths{};     ///< how wide the samples' central 50 and 90 % are, means
     std::vector<std::size_t> windows;  ///< those that reach so far: indices into LogWindows::windows
     std::vector<PerError> ranks;       ///< of these: share of the samples that lie below what happened
 
