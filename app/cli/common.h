@@ -39,6 +39,7 @@ Subcommand addInspect(CLI::App& app, CommonFlags& flags);
 Subcommand addTrain(CLI::App& app, CommonFlags& flags);
 Subcommand addEvaluate(CLI::App& app, CommonFlags& flags);
 Subcommand addPredict(CLI::App& app, CommonFlags& flags);
+Subcommand addAdvise(CLI::App& app, CommonFlags& flags);
 Subcommand addGenerate(CLI::App& app, CommonFlags& flags);
 Subcommand addShapes(CLI::App& app, CommonFlags& flags);
 Subcommand addRun(CLI::App& app, CommonFlags& flags);
