@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "debug/placement.h"
+#include "simulation/driving_now.h"
 #include "widgets/field_drawing.h"
 #include "widgets/field_readout.h"
 
@@ -45,6 +46,18 @@ void ring(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t body, 
     for (const QPen& pen : {roundPen(canvas.theme.halo, width + 2), roundPen(colour, width)}) {
         canvas.painter.setPen(pen);
         canvas.painter.drawEllipse(canvas.at(position(frame.poseOf(body))), radius, radius);
+    }
+}
+
+/// Of a robot that is driven as its network has not learned: its prediction is a guess.
+void drawUnfamiliar(const FieldCanvas& canvas, const FieldFrame& frame, std::size_t robot) {
+    const DrivingReader* const reader = familiarDriving(frame.scene(), robot);
+    if (reader == nullptr || !reader->isUnfamiliar(drivingNow(*frame.scenario, frame.state, robot))) return;
+    const double radius = canvas.pixels(frame.scene().shapeOf(robot).reach) + elsewhereGap;
+    canvas.painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {roundPen(canvas.theme.halo, 4), roundPen(canvas.theme.warning, 2, Qt::DashLine)}) {
+        canvas.painter.setPen(pen);
+        canvas.painter.drawEllipse(canvas.at(position(frame.poseOf(robot))), radius, radius);
     }
 }
 
@@ -126,6 +139,7 @@ void drawBodies(const FieldCanvas& canvas, const FieldFrame& frame, bool heading
             continue;
         }
         if (robot && !many) drawRim(canvas, frame, body);
+        if (robot) drawUnfamiliar(canvas, frame, body);
         canvas.shape(shape, frame.poseOf(body), !many);
         if (!robot) continue;
         if (headings)

@@ -93,12 +93,21 @@ InspectorRow contactRow(const RowWriter& write) {
     return all;
 }
 
+/// The row is there only where the network says where it was learned.
+void markUnfamiliar(const RowWriter& write, InspectorRow& section) {
+    const Quantity& quantity = quantityNamed("unfamiliar", Quantity::Of::robot);
+    const double value = numberOf(quantity.value({write.at, write.body}));
+    for (InspectorRow& row : section.children)
+        if (row.plot->quantity == quantity.name) row.notable = value > FamiliarDriving::bound;
+}
+
 InspectorRow predictionRows(const RowWriter& write) {
     InspectorRow section = write.section("Motion model");
     const std::vector<StepTrace::Robot>& robots = write.frame.lastTick.robots;
     const bool touched = write.body < robots.size() && robots[write.body].touched;
     for (InspectorRow& row : section.children)
         if (row.plot->quantity.starts_with("pushed")) setNotable(row, touched);
+    markUnfamiliar(write, section);
     section.children.push_back(contactRow(write));
     return section;
 }

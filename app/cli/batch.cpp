@@ -41,6 +41,10 @@ void print(const BatchSummary& summary, const BatchRequest& request, double seco
     if (!request.until.empty())
         std::printf("ended by the condition: %lld of %lld\n", static_cast<long long>(results.ended),
                     static_cast<long long>(results.rows));
+    for (const ColumnSummary& column : results.columns)
+        if (column.name == unfamiliarColumn && column.mean >= RunStatistics::notableShare)
+            std::printf("Note: in %.0f %% of the time some robot is driven as its network has not learned\n",
+                        100 * column.mean);
     if (results.faulty > 0) std::printf("with faults: %lld\n", static_cast<long long>(results.faulty));
     printEnd({summary.runs, results.rows, summary.resumed, summary.complete}, seconds, request.folder);
 }

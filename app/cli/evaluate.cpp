@@ -98,7 +98,8 @@ int runEvaluate(const EvaluateFlags& flags, const CommonFlags& common) {
     const auto evaluated = evaluateNetwork(flags.what, goesOn);
     if (wasInterrupted()) return reportInterrupted();
     if (!evaluated) return report(evaluated.error());
-    const auto& [evaluation, context] = *evaluated;
+    const Evaluation& evaluation = evaluated->evaluation;
+    const ReportContext& context = evaluated->context;
     if (common.json)
         std::puts(resultsJson(evaluation, context).c_str());
     else

@@ -34,7 +34,8 @@ int runProgram(int argc, char** argv) {
                                       addPredict(app, flags),    addGenerate(app, flags), addShapes(app, flags),
                                       addRun(app, flags),        addReplay(app, flags),   addBatch(app, flags),
                                       addExperiment(app, flags), addLearn(app, flags),    addTune(app, flags),
-                                      addValidate(app, flags),   addCompare(app, flags),  addPluginHost(app)};
+                                      addValidate(app, flags),   addCompare(app, flags),  addAdvise(app, flags),
+                                      addSheet(app, flags),      addPluginHost(app)};
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");

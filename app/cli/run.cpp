@@ -129,6 +129,13 @@ std::string statisticsText(const Scenario& scenario, const RunStatistics& statis
         table.add({bodyName(scene, i), line});
     }
     text += table.text();
+    for (std::size_t i = 0; i < statistics.unfamiliar.size(); ++i) {
+        const double share = statistics.shareOf(statistics.unfamiliar[i].value_or(0));
+        if (share < RunStatistics::notableShare) continue;
+        std::snprintf(line, sizeof line, ": in %.0f %% of the run driven as its network has not learned\n",
+                      100 * share);
+        text += "Note: " + bodyName(scene, i) + line;
+    }
     if (statistics.faults > 0) {
         std::snprintf(line, sizeof line, "faults: %lld, the first of ", static_cast<long long>(statistics.faults));
         text += line + statistics.firstFault + '\n';

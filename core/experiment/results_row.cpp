@@ -7,6 +7,7 @@
 
 #include "io/format.h"
 #include "quantities/catalogue.h"
+#include "simulation/driving_now.h"
 #include "world/seconds_text.h"
 #include "world/state_hash.h"
 
@@ -60,6 +61,14 @@ std::vector<VariedValue> variedValues(const ScenarioParts& parts) {
     return values;
 }
 
+/// Whose networks know what is unfamiliar.
+std::vector<std::size_t> robotsWithFamiliar(const Scene& scene) {
+    std::vector<std::size_t> robots;
+    for (std::size_t i = 0; i < scene.robots.size(); ++i)
+        if (familiarDriving(scene, i) != nullptr) robots.push_back(i);
+    return robots;
+}
+
 const Quantity& goals() { return quantityNamed("goals", Quantity::Of::goal); }
 /// As conditions call it.
 std::string goalsName(const Goal& goal) { return goals().name + ('.' + goal.name); }
@@ -85,6 +94,10 @@ std::vector<std::string> resultsCells(std::string_view line) {
 std::string resultsHeader(const ScenarioParts& parts) {
     std::string line = "trial,seed,end,time_s,touches,kicks,hits,faults,driven_m,ball_still_s";
     for (const Goal& goal : parts.scene.environment.goals) line += ',' + cell(goalsName(goal));
+    const auto familiar = robotsWithFamiliar(parts.scene);
+    if (!familiar.empty()) line += std::string(",") + unfamiliarColumn;
+    for (const std::size_t robot : familiar)
+        line += ',' + cell(unfamiliarColumn + (' ' + parts.scene.robots[robot].name));
     for (const VariedValue& value : variedValues(parts)) line += ',' + cell(value.name);
     return line + ",world_hash,command,first_fault";
 }
@@ -98,6 +111,9 @@ std::string resultsRow(const RunKey& key, const RunResult& result, const Scenari
     line += ',' + numberText(std::accumulate(s.driven.begin(), s.driven.end(), 0.0)) + ',' + plainSeconds(s.ballStill);
     for (std::uint32_t goal = 0; goal < s.goals.size(); ++goal)
         line += ',' + std::to_string(std::get<std::int64_t>(goals().value({{nullptr, &result.state}, goal})));
+    const auto familiar = robotsWithFamiliar(parts.scene);
+    if (!familiar.empty()) line += ',' + numberText(s.shareOf(s.anyUnfamiliar));
+    for (const std::size_t robot : familiar) line += ',' + numberText(s.shareOf(*s.unfamiliar[robot]));
     for (const VariedValue& value : variedValues(parts)) line += ',' + numberText(value.value);
     return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + cell(command) + ',' + cell(s.firstFault);
 }
@@ -106,6 +122,7 @@ ResultsSummary::ResultsSummary(const Scene& scene) {
     for (const char* const name : {"time, s", "touches", "kicks", "hits", "faults", "driven, m", "ball still, s"})
         columns.push_back({name});
     for (const Goal& goal : scene.environment.goals) columns.push_back({goalsName(goal)});
+    if (!robotsWithFamiliar(scene).empty()) columns.push_back({unfamiliarColumn});
 }
 
 void ResultsSummary::add(std::string_view row) {

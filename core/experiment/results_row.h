@@ -10,6 +10,10 @@
 
 namespace mrose {
 
+/// The column, and summary, of the share of a run in which some robot's driving was unfamiliar to its network; there
+/// where a robot's network can say so. After it one for each such robot.
+constexpr const char* unfamiliarColumn = "unfamiliar";
+
 /// results.csv of a batch: its first line, without its end.
 std::string resultsHeader(const ScenarioParts& parts);
 

@@ -49,6 +49,7 @@ LearnedMotion::LearnedMotion(MotionNetwork network)
     if (network_.noise)
         noise_.emplace(Noise{NoiseTraitReader(network_),
                              NoiseProcesses(*network_.noise, network_.members.size(), toSeconds(network_.period))});
+    if (network_.familiar) familiar_.emplace(network_.form, *network_.familiar);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "learning/mlp_inference.h"
+#include "motion/driving_reader.h"
 #include "motion/input_reader.h"
 #include "motion/motion_model.h"
 #include "motion/motion_network.h"
@@ -52,6 +53,9 @@ public:
     void predictMembers(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps,
                         std::span<MotionStep> members) const;
 
+    /// What it was learned from; null where that is not known.
+    const DrivingReader* familiar() const { return familiar_ ? &*familiar_ : nullptr; }
+
 private:
     double value(const float* outputs, std::size_t index) const {
         return network_.outputs[index].mean + network_.outputs[index].scale * static_cast<double>(outputs[index]);
@@ -81,6 +85,7 @@ private:
         NoiseProcesses processes;
     };
     std::optional<Noise> noise_;
+    std::optional<DrivingReader> familiar_;
 };
 
 /// The motion of one robot.
@@ -95,6 +100,7 @@ public:
     MotionDraw draw() const { return draw_; }
     /// The same robot, drawn otherwise.
     std::shared_ptr<const LearnedModel> drawn(MotionDraw draw) const;
+    const LearnedMotion& motion() const { return *motion_; }
     int robot() const { return robot_; }  ///< by InputReader::robotIndex
     Nanoseconds period() const override { return network().period; }
     Nanoseconds lookBack() const override { return motion_->inputs().lookBack(); }

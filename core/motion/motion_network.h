@@ -109,6 +109,27 @@ struct ResidualNoise {
     bool operator==(const ResidualNoise&) const = default;
 };
 
+/// Where the driving lies that a network was learned from. The driving of a period is six numbers (DrivingReader):
+/// velocities or what the robot was commanded before, what it is commanded now, and how far commands go back and forth.
+/// Prototypes cover all that was learned from; what is far from them the network was never asked to predict.
+struct FamiliarDriving {
+    static constexpr std::size_t numbers = 6, mostPrototypes = 256;
+    static constexpr double bound = 0.9;  ///< a period is called unfamiliar where DrivingReader::unfamiliar is above it
+    using Driving = std::array<double, numbers>;
+
+    /// Of the commands of v or w: which part of the history is described, s before the period's start; and how many m/s
+    /// or rad/s are 1 in the prototypes.
+    struct Channel {
+        double newest = 0, oldest = 0, scale = 1;
+        bool operator==(const Channel&) const = default;
+    };
+    Channel v, w;
+    std::vector<Driving> prototypes;
+    std::array<double, 3> distances{};  ///< exceeded by one in 10, 100 and 1000 of the periods that were held out
+    std::int64_t periods = 0;           ///< that were, each from the prototypes of the other folds
+    bool operator==(const FamiliarDriving&) const = default;
+};
+
 /// A learned motion model as a value: everything that its file holds. nets/README.md explains the file.
 struct MotionNetwork {
     enum class Form {
@@ -161,7 +182,8 @@ struct MotionNetwork {
     };
     std::vector<Identified> identified;
 
-    std::optional<ResidualNoise> noise;  ///< none: the mean alone is known
+    std::optional<ResidualNoise> noise;       ///< none: the mean alone is known
+    std::optional<FamiliarDriving> familiar;  ///< none: nothing is known of where it can be trusted
 
     NetworkTraining training;
 

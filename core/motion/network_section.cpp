@@ -96,6 +96,36 @@ ResidualNoise readNoise(TomlTable table) {
     return noise;
 }
 
+FamiliarDriving::Channel readFamiliarChannel(TomlTable table) {
+    FamiliarDriving::Channel channel;
+    channel.newest = table.number("newest_s", {0, 10});
+    channel.oldest = table.number("oldest_s", {0, 10});
+    if (channel.oldest <= channel.newest) table.reject("oldest_s", "expected more than newest_s");
+    channel.scale = table.number("scale", {1e-6, 1e6});
+    table.rejectUnknown();
+    return channel;
+}
+
+FamiliarDriving readFamiliar(TomlTable table) {
+    FamiliarDriving familiar;
+    familiar.periods = table.integer("periods", 1, 1'000'000'000);
+    familiar.v = readFamiliarChannel(table.table("v"));
+    familiar.w = readFamiliarChannel(table.table("w"));
+    const std::vector<double> distances = table.numbers("distances", familiar.distances.size(), {1e-6, 1e6});
+    for (std::size_t i = 0; i < distances.size() && i < familiar.distances.size(); ++i) {
+        familiar.distances[i] = distances[i];
+        if (i > 0 && distances[i] < distances[i - 1]) table.reject("distances", "expected ascending numbers");
+    }
+    constexpr std::size_t width = FamiliarDriving::numbers;
+    const std::vector<double> rows = table.rows("prototypes", width, 1, FamiliarDriving::mostPrototypes, {-1e6, 1e6});
+    for (std::size_t i = 0; i + width <= rows.size(); i += width) {
+        familiar.prototypes.emplace_back();
+        std::copy_n(&rows[i], width, familiar.prototypes.back().begin());
+    }
+    table.rejectUnknown();
+    return familiar;
+}
+
 }  // namespace
 
 void readMotionBasics(TomlTable& table, MotionNetwork& network) {
@@ -124,6 +154,7 @@ void readMotionParts(TomlTable& table, MotionNetwork& network) {
         part.rejectUnknown();
     }
     if (table.has("noise")) network.noise = readNoise(table.table("noise"));
+    if (table.has("familiar")) network.familiar = readFamiliar(table.table("familiar"));
     if (table.has("identified"))
         for (TomlTable& part : table.tables("identified")) network.identified.push_back(readIdentified(part));
 }

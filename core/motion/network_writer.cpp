@@ -81,6 +81,26 @@ std::string noiseText(const ResidualNoise& noise) {
     return text + "]\n";
 }
 
+std::string channelText(std::string_view name, const FamiliarDriving::Channel& c) {
+    return std::string(name) + " = { newest_s = " + numberText(c.newest) + ", oldest_s = " + numberText(c.oldest) +
+           ", scale = " + numberText(c.scale) + " }\n";
+}
+
+std::string familiarText(const FamiliarDriving& familiar) {
+    std::string text = "\n[motion.familiar] # where the driving lies that was learned from\n" +
+                       line("periods", std::to_string(familiar.periods)) + channelText("v", familiar.v) +
+                       channelText("w", familiar.w) + "distances = [";
+    for (const double& distance : familiar.distances)
+        text += (&distance == familiar.distances.data() ? "" : ", ") + numberText(distance);
+    text += "] # beyond are one in 10, 100 and 1000 of the held-out periods\nprototypes = [\n";
+    for (const FamiliarDriving::Driving& prototype : familiar.prototypes) {
+        text += "  [";
+        for (const double& number : prototype) text += (&number == prototype.data() ? "" : ", ") + numberText(number);
+        text += "],\n";
+    }
+    return text + "]\n";
+}
+
 std::string sectionText(const MotionNetwork& network) {
     std::string robots;
     for (const std::string& robot : network.robots) robots += (robots.empty() ? "" : ", ") + tomlString(robot);
@@ -98,6 +118,7 @@ std::string sectionText(const MotionNetwork& network) {
         text += "\n[motion.drive] # fitted to the logs' wheel commands\n" +
                 line("wheel_radius_m", network.drive->wheelRadius) + line("track_m", network.drive->track);
     if (network.noise) text += noiseText(*network.noise);
+    if (network.familiar) text += familiarText(*network.familiar);
     for (const MotionNetwork::Identified& identified : network.identified) text += identifiedText(identified);
     return text;
 }

@@ -4,6 +4,7 @@
 #include "geometry/elementary.h"
 #include "geometry/point.h"
 #include "quantities/quantity_tables.h"
+#include "simulation/driving_now.h"
 
 namespace mrose {
 namespace {
@@ -44,6 +45,11 @@ Command commandBefore(const Subject& s, Nanoseconds delay) {
 MotionModel::DeadTimes deadTimes(const Subject& s) { return s.at.scene().modelOf(s.body).deadTimes(); }
 
 Pose predictedEnd(const Subject& s) { return robotOf(s).segment.start * robotOf(s).segment.increment; }
+
+double unfamiliar(const Subject& s) {
+    const DrivingReader* const reader = familiarDriving(s.at.scene(), s.body);
+    return reader == nullptr ? unknownNumber : reader->unfamiliar(drivingNow(*s.at.scenario, *s.at.state, s.body));
+}
 
 /// What contact changed in the last tick, in the frame of where the body would have been.
 std::optional<Pose> pushed(const Subject& s) {
@@ -182,6 +188,8 @@ void addPredictions(std::vector<Quantity>& all) {
                     +[](const Subject& s) { return robotOf(s).segment.endVelocity.v; }},
                    {"predicted_w", radiansPerSecond, end, Of::robot,
                     +[](const Subject& s) { return robotOf(s).segment.endVelocity.w; }},
+                   {"unfamiliar", share, "to its network: 0.9 is as far from what it learned from as 1 in 1000 of that",
+                    Of::robot, unfamiliar},
                    {"pushed_ahead", tenthsOfMillimetres, off, Of::robot,
                     +[](const Subject& s) { return partOr(pushed(s), &Pose::x); }},
                    {"pushed_left", tenthsOfMillimetres, off, Of::robot,

@@ -26,9 +26,9 @@ inline void addQuantities(std::vector<Quantity>& all, const char* section, Quant
 
 constexpr double unknownNumber = std::numeric_limits<double>::quiet_NaN();
 
-constexpr Unit count{"", 0}, metres{"m"}, tenthsOfMillimetres{"m", 4}, centimetres{"m", 1, "cm", 100}, angle{"rad", 1},
-    fineAngle{"rad", 2}, metresPerSecond{"m/s"}, radiansPerSecond{"rad/s"}, seconds{"s"}, roughSeconds{"s", 2},
-    newtonSeconds{"N s", 2};
+constexpr Unit count{"", 0}, share{"", 2}, metres{"m"}, tenthsOfMillimetres{"m", 4}, centimetres{"m", 1, "cm", 100},
+    angle{"rad", 1}, fineAngle{"rad", 2}, metresPerSecond{"m/s"}, radiansPerSecond{"rad/s"}, seconds{"s"},
+    roughSeconds{"s", 2}, newtonSeconds{"N s", 2};
 
 inline const RobotState& robotOf(const Subject& s) { return s.at.state->robots[s.body]; }
 inline const ObjectState& objectOf(const Subject& s) { return s.at.state->objects[s.body - s.at.state->robots.size()]; }

@@ -184,6 +184,9 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
         json["goals"][scenario.scene().environment.goals[g].name] = statistics.goals[g];
     for (std::size_t i = 0; i < statistics.driven.size(); ++i)
         json["driven_m"][scenario.scene().robots[i].name] = statistics.driven[i];
+    for (std::size_t i = 0; i < statistics.unfamiliar.size(); ++i)
+        if (const auto& ticks = statistics.unfamiliar[i])
+            json["unfamiliar"][scenario.scene().robots[i].name] = statistics.shareOf(*ticks);
     json["scenario"] = scenario.parts().name;
     json["trial"] = names.trial;
     json["seed"] = result.state.seed;

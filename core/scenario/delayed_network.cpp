@@ -31,6 +31,14 @@ MotionNetwork delayed(MotionNetwork network, Nanoseconds laterV, Nanoseconds lat
         input.newest += shift;
         input.oldest += shift;
     }
+    if (network.familiar) {
+        const auto shift = [](FamiliarDriving::Channel& channel, double later) {
+            channel.newest += later;
+            channel.oldest += later;
+        };
+        shift(network.familiar->v, toSeconds(laterV));
+        shift(network.familiar->w, toSeconds(laterW));
+    }
     for (MotionNetwork::Identified& robot : network.identified) {
         robot.v.deadTime += toSeconds(laterV);
         robot.w.deadTime += toSeconds(laterW);

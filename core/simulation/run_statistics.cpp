@@ -1,14 +1,19 @@
 #include "simulation/run_statistics.h"
 
+#include "simulation/driving_now.h"
+
 namespace mrose {
 
 RunStatistics::RunStatistics(const Scenario& scenario, const WorldState& start)
     : goals(scenario.scene().environment.goals.size()),
       driven(scenario.scene().robots.size()),
       scenario_(&scenario),
-      touchCounter_(scenario.scene().tickLength) {
+      touchCounter_(scenario.scene().tickLength),
+      isUnfamiliar_(scenario.scene().robots.size()) {
     for (const RobotState& robot : start.robots) places_.push_back(position(robot.pose));
     const Scene& scene = scenario.scene();
+    for (std::size_t i = 0; i < scene.robots.size(); ++i)
+        unfamiliar.push_back(familiarDriving(scene, i) != nullptr ? std::optional<std::int64_t>(0) : std::nullopt);
     while (ball_ < scene.objects.size() && !scene.typeOfObject(ball_).rolls) ++ball_;
 }
 
@@ -20,6 +25,7 @@ void RunStatistics::add(const WorldState& after, const StepTrace& trace) {
         driven[i] += distance(places_[i], now);
         places_[i] = now;
     }
+    addUnfamiliar(after, trace);
     for (const StepTrace::Kicked& kicked : trace.kicks) {
         ++kicks;
         hits += kicked.hit ? 1 : 0;
@@ -32,6 +38,18 @@ void RunStatistics::add(const WorldState& after, const StepTrace& trace) {
         const Twist& velocity = after.objects[ball_].velocity_W;
         if (length({velocity.x, velocity.y}) < still) ballStill += scenario_->scene().tickLength;
     }
+}
+
+void RunStatistics::addUnfamiliar(const WorldState& after, const StepTrace& trace) {
+    bool any = false;
+    for (std::size_t i = 0; i < unfamiliar.size(); ++i) {
+        if (!unfamiliar[i]) continue;
+        if (trace.robots[i].decided)
+            isUnfamiliar_[i] = familiarDriving(scenario_->scene(), i)->isUnfamiliar(drivingNow(*scenario_, after, i));
+        *unfamiliar[i] += isUnfamiliar_[i] ? 1 : 0;
+        any = any || isUnfamiliar_[i];
+    }
+    anyUnfamiliar += any ? 1 : 0;
 }
 
 std::string bodyName(const Scene& scene, std::size_t body) {

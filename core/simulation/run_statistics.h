@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,18 +23,30 @@ struct RunStatistics {
     std::int64_t faults = 0;           ///< of controllers and models
     std::string firstFault;            ///< "robot 2 (keeper): its controller ..."; empty: none
     std::vector<double> driven;        ///< by each robot, m
-    Nanoseconds ballStill = 0;         ///< how long the first ball lay still: of ticks at whose end it did
+    /// How long each robot's driving was unfamiliar to its network when it was decided (FamiliarDriving::bound);
+    /// nullopt of one whose motion model cannot say so.
+    std::vector<std::optional<std::int64_t>> unfamiliar;  ///< ticks
+    std::int64_t anyUnfamiliar = 0;                       ///< ticks in which that was so of some robot
+    Nanoseconds ballStill = 0;  ///< how long the first ball lay still: of ticks at whose end it did
 
     /// Of a run that begins at `start`.
     RunStatistics(const Scenario& scenario, const WorldState& start);
     /// One tick: the state after it, and its trace.
     void add(const WorldState& after, const StepTrace& trace);
 
+    /// Unfamiliar for more of the run than this is worth a note.
+    static constexpr double notableShare = 0.05;
+    /// Of the ticks, from 0 to 1; 0 of no ticks.
+    double shareOf(std::int64_t some) const { return ticks > 0 ? double(some) / double(ticks) : 0; }
+
 private:
+    void addUnfamiliar(const WorldState& after, const StepTrace& trace);
+
     const Scenario* scenario_;
     TouchCounter touchCounter_;
-    std::vector<Point> places_;  ///< of the robots, before the next tick
-    std::size_t ball_ = 0;       ///< among the objects; behind the last: there is none
+    std::vector<Point> places_;       ///< of the robots, before the next tick
+    std::vector<bool> isUnfamiliar_;  ///< what each robot last decided
+    std::size_t ball_ = 0;            ///< among the objects; behind the last: there is none
 };
 
 /// "robot 2 (keeper)": counted from 1, people after the robots under a word of their own.

@@ -5,6 +5,7 @@
 
 #include "identification/held_out_part.h"
 #include "io/format.h"
+#include "motion/driving_reader.h"
 #include "motion/kinematic_baselines.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
@@ -81,6 +82,36 @@ std::vector<RobotModels> kinematicModels(const MotionNetwork& network, const Log
                                                     kinematicBaselines(network, robot.robot)[i].parameters, period));
     }
     return baselines;
+}
+
+/// The share of a window's periods in which the robot was driven as the network was never learned.
+double unfamiliarShare(const DrivingReader& reader, const MotionNetwork& network, const Log& log, const Window& window,
+                       Nanoseconds step) {
+    const Trajectory& trajectory = log.robots[window.robot].trajectories[window.trajectory];
+    const Nanoseconds end = window.start + window.steps() * step;
+    const std::vector<StampedCommand> commands = commandsRead({&trajectory, window.start}, end);
+    CommandHistory history;
+    std::size_t next = 0;
+    double unfamiliar = 0, periods = 0;
+    for (Nanoseconds now = window.start; now < end; now += network.period, ++periods) {
+        for (; next < commands.size() && commands[next].time <= now; ++next)
+            history.issue(commands[next].time, commands[next].command);
+        const auto k = static_cast<std::size_t>((now - window.start) / step);
+        const Pose moved = relative(window.truth[k], window.truth[k + 1]);
+        const double seconds = toSeconds(step);
+        unfamiliar += reader.isUnfamiliar({&history, now, {moved.x / seconds, moved.heading / seconds}, {}, {}});
+    }
+    return unfamiliar / periods;
+}
+
+/// By window; empty where the network does not say where it was learned.
+std::vector<double> unfamiliarShares(const MotionNetwork& network, const Log& log, const LogWindows& windows) {
+    std::vector<double> shares;
+    if (!network.familiar) return shares;
+    const DrivingReader reader(network.form, *network.familiar);
+    for (const Window& window : windows.windows)
+        shares.push_back(unfamiliarShare(reader, network, log, window, windows.options.step));
+    return shares;
 }
 
 std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -183,7 +214,8 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
     context.notices = noticesOf(*log);
     for (std::string& notice : noticesOf(network, *log, request.heldOut)) context.notices.push_back(std::move(notice));
     context.chosen = std::move(*chosen);
-    return NetworkEvaluation{std::move(*evaluation), std::move(context)};
+    std::vector<double> unfamiliar = unfamiliarShares(network, *log, evaluation->log);
+    return NetworkEvaluation{std::move(*evaluation), std::move(context), std::move(unfamiliar)};
 }
 
 }  // namespace mrose

@@ -26,6 +26,9 @@ struct EvaluateRequest {
 struct NetworkEvaluation {
     Evaluation evaluation;
     ReportContext context;
+    /// By window the share of its periods in which the robot was driven as the network was never learned; empty: it
+    /// does not say where it was.
+    std::vector<double> unfamiliar;
 };
 
 /// Opens log and networks, and evaluates them and the kinematic baselines. Error: a file; a window that is not there;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/familiar_driving.h"
 #include "identification/learn_noise.h"
 #include "identification/recipes.h"
 #include "identification/robot_identification.h"
@@ -176,6 +177,7 @@ Expected<TrainedNetwork> learnFrom(const LearningLogs& opened, const TrainReques
     };
     auto trained = trainNetwork(blueprint, *samples, options, learnsAfter(0));
     if (!trained) return atFile(trained.error(), first);
+    trained->network.familiar = familiarDriving(data->logs, blueprint, sampling);
     if (!withNoise || trained->cancelled) return trained;
     LearnedNoise learned =
         learnNoise(std::move(data->logs), blueprint, sampling, options, learnsAfter(options.members), progress.fits);

@@ -31,7 +31,7 @@ TEST_F(Program, TellsItsVersion) {
 TEST_F(Program, HelpOfEverySubcommandHasExamplesAndTheCommonFlags) {
     const ProgramResult all = runMrose({"--help"});
     EXPECT_EQ(all.status, 0);
-    for (const std::string name : {"inspect", "train", "evaluate", "predict", "generate", "compare"}) {
+    for (const std::string name : {"inspect", "train", "evaluate", "predict", "advise", "generate", "compare"}) {
         EXPECT_NE(all.out.find("\n  " + name), std::string::npos) << name;
         const ProgramResult help = runMrose({name, "--help"});
         EXPECT_EQ(help.status, 0);
@@ -44,12 +44,12 @@ TEST_F(Program, HelpOfEverySubcommandHasExamplesAndTheCommonFlags) {
 /// Flags that would do nothing are not there.
 TEST_F(Program, FlagsAreOfferedWhereTheyAct) {
     const std::pair<const char*, std::vector<std::string>> cases[] = {
-        {"--seed", {"train", "predict", "generate", "run", "batch", "compare"}},
+        {"--seed", {"train", "predict", "advise", "generate", "run", "batch", "compare"}},
         {"--threads", {"inspect", "train", "batch", "compare"}},
-        {"--overwrite", {"train", "evaluate", "predict", "generate", "shapes", "run", "compare"}}};
+        {"--overwrite", {"train", "evaluate", "predict", "advise", "generate", "shapes", "run", "compare"}}};
     for (const auto& [flag, commands] : cases)
-        for (const char* name :
-             {"inspect", "train", "evaluate", "predict", "generate", "shapes", "run", "replay", "batch", "compare"}) {
+        for (const char* name : {"inspect", "train", "evaluate", "predict", "advise", "generate", "shapes", "run",
+                                 "replay", "batch", "compare"}) {
             const bool offered = std::find(commands.begin(), commands.end(), name) != commands.end();
             EXPECT_EQ(runMrose({name, "--help"}).out.find(std::string("  ") + flag + ' ') != std::string::npos, offered)
                 << name << ' ' << flag;

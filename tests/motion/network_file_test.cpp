@@ -9,10 +9,21 @@ namespace {
 
 using Form = MotionNetwork::Form;
 
+FamiliarDriving arbitraryFamiliar() {
+    FamiliarDriving familiar;
+    familiar.v = {0.04, 0.44, 0.0712345678901234};
+    familiar.w = {0.05, 0.25, 0.3};
+    familiar.prototypes = {{1, 0.1, -0.25, 3e-3, 0, 1.0 / 3}, {-1, 2, 3, 4, 5, 6}};
+    familiar.distances = {0.5, 0.7, 1.1};
+    familiar.periods = 4321;
+    return familiar;
+}
+
 TEST(NetworkFile, ReadsBackEveryBitOfBothForms) {
     for (const Form form : {Form::state, Form::history}) {
         MotionNetwork network = arbitraryNetwork(form);
         if (form == Form::state) network.drive = DifferentialDrive{0.1651, 1.23};
+        if (form == Form::history) network.familiar = arbitraryFamiliar();
         const auto read = parseNetwork(networkText(network), "n.net");
         ASSERT_TRUE(read) << read.error().message();
         EXPECT_TRUE(*read == network);
@@ -89,6 +100,27 @@ TEST(NetworkFile, NamesFileLineAndKeyOfWhatDoesNotFit) {
     EXPECT_THAT(errorAfter("[motion.wheel_phase]\nhalf_track_m = 0.13\nquantum_mps = 0.0084\n", ""),
                 testing::HasSubstr("motion.wheel_phase: is missing; an input needs it"));
     EXPECT_THAT(errorAfter("held_out_error = {", "held_in_error = {"), testing::HasSubstr("motion.held_in_error"));
+}
+
+TEST(NetworkFile, RefusesAMistakenDescriptionOfWhatIsFamiliar) {
+    MotionNetwork network = arbitraryNetwork(Form::history);
+    network.familiar = arbitraryFamiliar();
+    const std::string whole = networkText(network);
+    const auto error = [&](const std::string& from, const std::string& to) {
+        std::string text = whole;
+        const std::size_t at = text.find(from, text.find("[motion.familiar]"));
+        EXPECT_NE(at, std::string::npos) << from;
+        text.replace(at, from.size(), to);
+        const auto read = parseNetwork(text, "n.net");
+        return read ? "no error" : read.error().message();
+    };
+    EXPECT_THAT(error("oldest_s = 0.44", "oldest_s = 0.04"), testing::HasSubstr("motion.familiar.v.oldest_s"));
+    EXPECT_THAT(error("scale = 0.3", "scale = 0.0"), testing::HasSubstr("motion.familiar.w.scale"));
+    EXPECT_THAT(error("0.5, 0.7, 1.1", "0.5, 0.4, 1.1"), testing::HasSubstr("motion.familiar.distances"));
+    EXPECT_THAT(error("0.5, 0.7, 1.1", "0.5, 0.7"), testing::HasSubstr("motion.familiar.distances"));
+    EXPECT_THAT(error("[-1.0, 2.0", "[2.0"), testing::HasSubstr("motion.familiar.prototypes"));
+    EXPECT_THAT(error("periods = 4321", "periods = 0"), testing::HasSubstr("motion.familiar.periods"));
+    EXPECT_THAT(error("periods = 4321", "periods = 1\nof = 2"), testing::HasSubstr("motion.familiar.of"));
 }
 
 TEST(NetworkFile, StateFormNeedsFiveOutputs) {

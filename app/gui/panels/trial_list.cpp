@@ -38,11 +38,17 @@ std::string shortened(const std::string& cell) {
 
 /// "driven_m" as a person reads it.
 QString titleOf(const std::string& column) {
-    static const std::map<std::string, const char*> titles{{"trial", "Trial"},         {"seed", "Seed"},
-                                                           {"end", "Ended by"},        {"time_s", "Time (s)"},
-                                                           {"touches", "Touches"},     {"kicks", "Kicks"},
-                                                           {"hits", "Hits"},           {"faults", "Faults"},
-                                                           {"driven_m", "Driven (m)"}, {ballStill, "Ball still (s)"}};
+    static const std::map<std::string, const char*> titles{{"trial", "Trial"},
+                                                           {"seed", "Seed"},
+                                                           {"end", "Ended by"},
+                                                           {"time_s", "Time (s)"},
+                                                           {"touches", "Touches"},
+                                                           {"kicks", "Kicks"},
+                                                           {"hits", "Hits"},
+                                                           {"faults", "Faults"},
+                                                           {"driven_m", "Driven (m)"},
+                                                           {ballStill, "Ball still (s)"},
+                                                           {"unfamiliar", "Unfamiliar (share)"}};
     if (const auto known = titles.find(column); known != titles.end()) return QObject::tr(known->second);
     // "goals.left"; of earlier versions "goals left"
     constexpr std::string_view goals = "goals.";
