@@ -40,6 +40,7 @@ Subcommand addTrain(CLI::App& app, CommonFlags& flags);
 Subcommand addEvaluate(CLI::App& app, CommonFlags& flags);
 Subcommand addPredict(CLI::App& app, CommonFlags& flags);
 Subcommand addGenerate(CLI::App& app, CommonFlags& flags);
+Subcommand addIdentifyBall(CLI::App& app, CommonFlags& flags);
 Subcommand addShapes(CLI::App& app, CommonFlags& flags);
 Subcommand addRun(CLI::App& app, CommonFlags& flags);
 Subcommand addReplay(CLI::App& app, CommonFlags& flags);
