@@ -42,6 +42,7 @@ Subcommand addPredict(CLI::App& app, CommonFlags& flags);
 Subcommand addAdvise(CLI::App& app, CommonFlags& flags);
 Subcommand addGenerate(CLI::App& app, CommonFlags& flags);
 Subcommand addSheet(CLI::App& app, CommonFlags& flags);
+Subcommand addIdentifyBall(CLI::App& app, CommonFlags& flags);
 Subcommand addShapes(CLI::App& app, CommonFlags& flags);
 Subcommand addRun(CLI::App& app, CommonFlags& flags);
 Subcommand addReplay(CLI::App& app, CommonFlags& flags);

@@ -2,7 +2,10 @@
 
 #include "common.h"
 #include "evaluate_sensor.h"
+#include "io/file.h"
 #include "io/format.h"
+#include "kicker.h"
+#include "learning/network_file.h"
 #include "report/evaluation_files.h"
 #include "report/evaluation_report.h"
 #include "workflow/evaluate_network.h"
@@ -17,6 +20,7 @@ struct EvaluateFlags {
     std::string folder;
     bool families = false;
     std::vector<const CLI::Option*> ofMotion = {}, ofSensors = {};  ///< that only such networks know
+    std::vector<const CLI::Option*> notOfKickers = {};
 };
 
 std::string robotList(const Evaluation& evaluation) {
@@ -111,21 +115,39 @@ int runEvaluate(const EvaluateFlags& flags, const CommonFlags& common) {
     return success;
 }
 
-/// Error: a flag that was given and that this kind of network does not know.
-Expected<void> checkFlags(const std::vector<const CLI::Option*>& others, const std::string& network, bool sensor) {
+/// Error: a flag that was given and that is for networks of another kind than this one, `own`.
+Expected<void> checkFlags(const std::vector<const CLI::Option*>& others, const char* otherKind,
+                          const std::string& network, const char* own) {
     for (const CLI::Option* option : others)
         if (*option)
-            return fail({},
-                        "is for networks of " + std::string(sensor ? "motion" : "sensors") + "; " + network +
-                            " is of " + (sensor ? "a sensor" : "motion"),
-                        0, option->get_name());
+            return fail({}, "is for networks of " + std::string(otherKind) + "; " + network + " is of " + own, 0,
+                        option->get_name());
     return {};
 }
 
-int runEither(const EvaluateFlags& flags, const CommonFlags& common) {
+/// Whether a network file is of a kicker; one that cannot be read is not.
+bool isKickerFile(const std::string& path) {
+    const auto text = readFile(path);
+    return text && networkKind(*text) == KickNetwork::kind;
+}
+
+int runKicker(const EvaluateFlags& flags, const CommonFlags& common) {
+    for (const auto& [options, kind] : {std::pair{&flags.ofMotion, "motion"}, std::pair{&flags.ofSensors, "sensors"},
+                                        std::pair{&flags.notOfKickers, "motion and sensors"}})
+        if (const auto fits = checkFlags(*options, kind, flags.what.network, "a kicker"); !fits) {
+            report(fits.error());
+            return usage;
+        }
+    return runEvaluateKicker({flags.what.network, flags.what.log, flags.what.robots, flags.what.command}, flags.folder,
+                             common);
+}
+
+int runAny(const EvaluateFlags& flags, const CommonFlags& common) {
+    if (isKickerFile(flags.what.network)) return runKicker(flags, common);
     const auto sensor = isSensorFile(flags.what.network);
     if (!sensor) return runEvaluate(flags, common);  // which names the first thing wrong, the report's folder too
-    const auto fits = checkFlags(*sensor ? flags.ofMotion : flags.ofSensors, flags.what.network, *sensor);
+    const auto fits = *sensor ? checkFlags(flags.ofMotion, "motion", flags.what.network, "a sensor")
+                              : checkFlags(flags.ofSensors, "sensors", flags.what.network, "motion");
     if (!fits) {
         report(fits.error());
         return usage;
@@ -142,24 +164,26 @@ int runEither(const EvaluateFlags& flags, const CommonFlags& common) {
 Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
     auto flags = std::make_shared<EvaluateFlags>();
     flags->what.command = commandLine();
-    CLI::App* sub =
-        addSubcommand(app, common, "evaluate", "Say how true a learned robot or sensor is: predictions against a log",
-                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
-                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
-                      "  mrose evaluate create.net --log MRCLAM_Dataset7 --report report --show 12,40\n"
-                      "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
-                      "  mrose evaluate create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --families --report seen\n"
-                      "The log should be one that the network was not learned from, or the part of it held out.\n"
-                      "Sensors are those that report landmarks or robots: a learned localisation is judged by what\n"
-                      "mrose train says of what it held out, and by nothing else.");
+    CLI::App* sub = addSubcommand(
+        app, common, "evaluate", "Say how true a learned robot, sensor or kicker is: predictions against a log",
+        "  mrose evaluate create.net --log MRCLAM_Dataset7 --robots 1,2 --report report\n"
+        "  mrose evaluate create.net --log MRCLAM_Dataset7 --against create_paper.net --json\n"
+        "  mrose evaluate create.net --log MRCLAM_Dataset7 --report report --show 12,40\n"
+        "  mrose evaluate husky.net --log husky_windows.csv --held-out\n"
+        "  mrose evaluate create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --families --report seen\n"
+        "  mrose evaluate my_kicker.net --log more_kicks\n"
+        "The log should be one that the network was not learned from, or the part of it held out.\n"
+        "Sensors are those that report landmarks or robots: a learned localisation is judged by what\n"
+        "mrose train says of what it held out, and by nothing else.");
     addOverwrite(*sub, common);
     sub->add_option("NET", flags->what.network, "Network file, or the name of one that ships")
         ->required()
         ->transform(placeOfNetwork);
     sub->add_option("--log", flags->what.log, "The log to compare with")->required();
     sub->add_option("--robots", flags->what.robots, "Only these robots, by name: 1,2")->delimiter(',');
-    sub->add_option("--against", flags->what.against, "Other network files, beside it in all tables and pictures")
-        ->transform(placeOfNetwork);
+    flags->notOfKickers.push_back(
+        sub->add_option("--against", flags->what.against, "Other network files, beside it in all tables and pictures")
+            ->transform(placeOfNetwork));
     flags->ofSensors.push_back(
         sub->add_flag("--families", flags->families,
                       "Of a sensor: beside it the other two of network, lookup table and decision trees, learned from "
@@ -170,7 +194,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
     CLI::Option* folder =
         sub->add_option("--report", flags->folder,
                         "Folder for report.html, results.csv, results.json and windows.csv, of a sensor cases.csv "
-                        "(for mrose predict)")
+                        "(for mrose predict), of a kicker kicks.csv")
             ->check(someName());
     flags->ofMotion.push_back(
         sub->add_option("--samples", flags->what.samples, "Of motion with noise: rollouts of each window that judge it")
@@ -185,7 +209,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                       "Of motion: only the part of the log that mrose train --hold-out kept from learning"));
     flags->ofMotion.push_back(sub->add_flag_callback(
         "--no-floor", [flags] { flags->what.withFloor = false; }, "Of motion: do not compare near-identical commands"));
-    return {sub, [flags, &common] { return runEither(*flags, common); }};
+    return {sub, [flags, &common] { return runAny(*flags, common); }};
 }
 
 }  // namespace mrose::cli

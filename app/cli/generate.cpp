@@ -32,7 +32,7 @@ void print(const std::vector<GeneratedLog>& logs, const CommonFlags& common) {
             std::printf("%s: synthetic, %zu trajector%s, %.0f s\n", path.c_str(), log.trajectories,
                         log.trajectories == 1 ? "y" : "ies", log.seconds);
         json["files"].push_back({{"file", path},
-                                 {"pattern", name(log.pattern)},
+                                 {"pattern", log.pattern},
                                  {"trajectories", log.trajectories},
                                  {"repeats", log.repeats},
                                  {"seconds", log.seconds}});

@@ -96,12 +96,17 @@ void printRobot(const RobotInspection& robot) {
     else
         std::printf("  poses     %zu in %s s (%s Hz), x %s m, y %s m\n", robot.poses, fixed(robot.poseTime, 1).c_str(),
                     fixed(robot.poseRate(), 1).c_str(), rangeText(robot.x, 2).c_str(), rangeText(robot.y, 2).c_str());
+    if (robot.ball > 0)
+        std::printf("  ball      %zu in %s s (%s Hz)\n", robot.ball, fixed(robot.ballTime, 1).c_str(),
+                    fixed(robot.ballRate(), 1).c_str());
+    if (robot.kicks > 0) std::printf("  kicks     %zu, power %s\n", robot.kicks, rangeText(robot.kickPower, 2).c_str());
     const LogDefects& d = robot.defects;
     for (const DefectCount& count : defectCounts()) {
         const std::int64_t found = d.*count.count;
         if (found == 0) continue;
         const double longest = count.count == &LogDefects::commandGaps ? d.longestCommandGap
                                : count.count == &LogDefects::poseGaps  ? d.longestPoseGap
+                               : count.count == &LogDefects::ballGaps  ? d.longestBallGap
                                                                        : 0;
         std::printf("  found     %lld %s%s%s\n", static_cast<long long>(found), found == 1 ? count.one : count.many,
                     count.done, longest > 0 ? (", the longest " + fixed(longest, 2) + " s").c_str() : "");

@@ -30,12 +30,12 @@ int runProgram(int argc, char** argv) {
         return std::string("mrose: ") + error.what() + " (mrose --help, or mrose SUBCOMMAND --help, has more)\n";
     });
     CommonFlags flags;
-    const Subcommand subcommands[] = {addInspect(app, flags),    addTrain(app, flags),    addEvaluate(app, flags),
-                                      addPredict(app, flags),    addGenerate(app, flags), addShapes(app, flags),
-                                      addRun(app, flags),        addReplay(app, flags),   addBatch(app, flags),
-                                      addExperiment(app, flags), addLearn(app, flags),    addTune(app, flags),
-                                      addValidate(app, flags),   addCompare(app, flags),  addAdvise(app, flags),
-                                      addSheet(app, flags),      addPluginHost(app)};
+    const Subcommand subcommands[] = {addInspect(app, flags),      addTrain(app, flags),    addEvaluate(app, flags),
+                                      addPredict(app, flags),      addAdvise(app, flags),   addSheet(app, flags),
+                                      addIdentifyBall(app, flags), addGenerate(app, flags), addShapes(app, flags),
+                                      addRun(app, flags),          addReplay(app, flags),   addBatch(app, flags),
+                                      addExperiment(app, flags),   addLearn(app, flags),    addTune(app, flags),
+                                      addValidate(app, flags),     addCompare(app, flags),  addPluginHost(app)};
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");

@@ -4,6 +4,7 @@
 
 #include "common.h"
 #include "io/format.h"
+#include "kicker.h"
 #include "report/program_json.h"
 #include "workflow/train_network.h"
 #include "workflow/train_sensor.h"
@@ -15,7 +16,25 @@ struct TrainFlags {
     TrainRequest request;
     TrainSensorRequest sensor;  ///< of what concerns sensors alone
     std::string model, method = "irprop+", loss, holdOutBy, family = "network";
-    bool meanAlone = false;
+    bool meanAlone = false, kicker = false;
+
+    /// How a kicker is learned, where the flags say it.
+    TrainKickerRequest wholeKicker(const CommonFlags& common) const {
+        TrainKickerRequest whole{request.logs.sources, request.output, common.overwrite, request.logs.robots,
+                                 request.robotKind};
+        const auto take = [](int given, int& option) {
+            if (given > 0) option = given;
+        };
+        take(request.hidden, whole.training.hidden);
+        take(request.epochs, whole.training.epochs);
+        take(request.patience, whole.training.patience);
+        if (foldsGiven != nullptr && *foldsGiven) whole.training.folds = request.folds;
+        if (componentsGiven != nullptr && *componentsGiven) whole.training.components = sensor.training.components;
+        whole.training.seed = common.seed;
+        whole.command = commandLine();
+        return whole;
+    }
+    const CLI::Option *foldsGiven = nullptr, *componentsGiven = nullptr;
 
     TrainSensorRequest wholeSensor(const CommonFlags& common) const {
         TrainSensorRequest whole = sensor;
@@ -146,17 +165,30 @@ void addSensor(CLI::App& sub, TrainFlags& flags) {
         ->check(CLI::IsMember(std::vector<std::string>(sensorFamilyNames.begin(), sensorFamilyNames.end())))
         ->needs(sensor)
         ->capture_default_str();
-    sub.add_option("--components", flags.sensor.training.components,
-                   "Of a network: normal distributions in its mixture")
-        ->check(CLI::Range(1, ReadingForm::maxComponents))
-        ->needs(sensor)
-        ->capture_default_str();
+    sub.add_option(
+           "--components", flags.sensor.training.components,
+           "Of a network of a sensor or a kicker: normal distributions in its mixture; default 4, of a kicker 2")
+        ->check(CLI::Range(1, ReadingForm::maxComponents));
     sub.add_option("--latency", flags.sensor.latency, "Of the sensor in s, instead of the one identified from turning")
         ->check(numberRange(0.0, 1.0))
         ->needs(sensor);
     for (const char* ofMotion : {"--model", "--hold-out", "--method", "--loss", "--chain", "--members", "--folds",
                                  "--phases", "--mean-alone", "--dead-time-v", "--dead-time-w", "--lag-v", "--lag-w"})
         sensor->excludes(sub.get_option(ofMotion));
+}
+
+void addKicker(CLI::App& sub, TrainFlags& flags) {
+    CLI::Option* kicker =
+        sub.add_flag("--kicker", flags.kicker,
+                     "Learn a kicker instead of motion, from kicks and a tracked ball: when the ball leaves, whether, "
+                     "how fast and in "
+                     "which direction, given power, where it lay, and the robot's motion, as distributions");
+    kicker->excludes(sub.get_option("--sensor"));
+    for (const char* ofMotion : {"--model", "--hold-out", "--method", "--loss", "--chain", "--members", "--phases",
+                                 "--mean-alone", "--dead-time-v", "--dead-time-w", "--lag-v", "--lag-w"})
+        kicker->excludes(sub.get_option(ofMotion));
+    flags.foldsGiven = sub.get_option("--folds");
+    flags.componentsGiven = sub.get_option("--components");
 }
 
 /// What the models are, for the help.
@@ -289,12 +321,13 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
         "  mrose train husky_windows.csv --hold-out 0.2 -o husky.net\n"
         "  mrose train monday.csv tuesday.csv --robots attacker -o attacker.net\n"
         "  mrose train MRCLAM_Dataset6 --sensor camera -o create_camera.net\n"
-        "  mrose train mylogs --sensor camera --family table -o camera_table.net\n" +
+        "  mrose train mylogs --sensor camera --family table -o camera_table.net\n"
+        "  mrose train mykicks --kicker -o my_kicker.net\n" +
         std::string(modelsText) +
-        "Ctrl-C, SIGTERM or SIGHUP ends learning and saves the best network so far (of motion; of a sensor nothing); "
+        "Ctrl-C, SIGTERM or SIGHUP ends learning and saves the best network so far (of motion; of others nothing); "
         "Ctrl-C after that ends the program at once.";
-    CLI::App* sub =
-        addSubcommand(app, common, "train", "Learn how robots move, or what a sensor reports, from logs", examples);
+    CLI::App* sub = addSubcommand(app, common, "train",
+                                  "Learn how robots move or kick, or what a sensor reports, from logs", examples);
     addSeed(*sub, common);
     addThreads(*sub, common);
     addOverwrite(*sub, common);
@@ -303,8 +336,18 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     addNoise(*sub, *flags);
     addResponseTimes(*sub, *flags);
     addSensor(*sub, *flags);
+    addKicker(*sub, *flags);
     const CLI::Option* components = sub->get_option("--components");
     return {sub, [flags, components, &common] {
+                if (*components && !flags->kicker && flags->sensor.sensor.empty()) {
+                    report(Error{{}, 0, 0, "--components", "is for --sensor and --kicker"});
+                    return static_cast<int>(usage);
+                }
+                if (flags->kicker && flags->wholeKicker(common).training.folds > ReadingForm::maxMembers) {
+                    report(Error{{}, 0, 0, "--folds", "of a kicker are at most 8"});
+                    return static_cast<int>(usage);
+                }
+                if (flags->kicker) return runTrainKicker(flags->wholeKicker(common), common);
                 if (*components && flags->family != "network") {
                     report(Error{{}, 0, 0, "--components", "is for --family network alone"});
                     return static_cast<int>(usage);

@@ -49,6 +49,18 @@ Expected<bool> BranchRecord::learn(const Timeline& timeline, std::int64_t ticks)
     return last() < timeline.last();
 }
 
+namespace {
+
+/// When a kick acts that was commanded in the last tick: as it waits for it, unless it has acted at once.
+Nanoseconds dueOf(const Kick& kick, std::uint32_t robot, const WorldState& after, const Scene& scene) {
+    const auto found = std::find_if(after.kicks.rbegin(), after.kicks.rend(), [&](const PendingKick& pending) {
+        return pending.robot == robot && pending.manipulator == kick.manipulator;
+    });
+    return found != after.kicks.rend() ? found->due : scene.timeOf(after.tick - 1);
+}
+
+}  // namespace
+
 void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
     track_.add(after);
     const auto mark = [&](TimelineMark::Kind kind, std::uint32_t body, std::uint32_t other) {
@@ -72,11 +84,10 @@ void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
         const StepTrace::Robot& traced = trace.robots[robot];
         if (!traced.decided) continue;
         if (!traced.decision.breakReason.empty()) mark(TimelineMark::Kind::stop, robot, noBody);
-        const std::vector<Manipulator>& manipulators = scene.typeOf(robot).manipulators;
+        const std::size_t manipulators = scene.typeOf(robot).manipulators.size();
         for (const Kick& kick : traced.decision.kicks)
-            if (kick.manipulator < manipulators.size())
-                kickOrders_.push_back({after.tick - 1, robot, kick.manipulator,
-                                       scene.timeOf(after.tick - 1) + manipulators[kick.manipulator].deadTime});
+            if (kick.manipulator < manipulators)
+                kickOrders_.push_back({after.tick - 1, robot, kick.manipulator, dueOf(kick, robot, after, scene)});
     }
 }
 

@@ -8,7 +8,7 @@ namespace mrose {
 namespace {
 
 double rate(std::size_t samples, std::size_t trajectories, double time) {
-    return time > 0 ? static_cast<double>(samples - trajectories) / time : 0;
+    return time > 0 && samples > trajectories ? static_cast<double>(samples - trajectories) / time : 0;
 }
 
 RobotInspection inspectRobot(const RobotLog& robot, const DeadTimes& delays) {
@@ -30,6 +30,10 @@ RobotInspection inspectRobot(const RobotLog& robot, const DeadTimes& delays) {
             found.x.add(p.pose.x);
             found.y.add(p.pose.y);
         }
+        found.ball += t.ball.size();
+        if (!t.ball.empty()) found.ballTime += toSeconds(t.ball.back().time - t.ball.front().time);
+        found.kicks += t.kicks.size();
+        for (const StampedKick& kick : t.kicks) found.kickPower.add(kick.power);
     }
     return found;
 }
@@ -43,6 +47,7 @@ void MeasuredRange::add(double x) {
 
 double RobotInspection::commandRate() const { return rate(commands, trajectories, commandTime); }
 double RobotInspection::poseRate() const { return rate(poses, trajectories, poseTime); }
+double RobotInspection::ballRate() const { return rate(ball, trajectories, ballTime); }
 
 bool LogInspection::hasMeasurements() const {
     return std::any_of(robots.begin(), robots.end(),
@@ -65,11 +70,13 @@ std::span<const DefectCount> defectCounts() {
         {&LogDefects::duplicates, "duplicates", "equal stamp", "equal stamps", ", last kept"},
         {&LogDefects::blips, "blips", "blip", "blips", " (single zero commands), dropped"},
         {&LogDefects::poseOutliers, "pose_outliers", "pose outlier", "pose outliers", ", dropped"},
+        {&LogDefects::ballOutliers, "ball_outliers", "outlier", "outliers", " of the ball, dropped"},
         {&LogDefects::unpaired, "unpaired", "value", "values", " without a partner, dropped"},
         {&LogDefects::headingWraps, "heading_wraps", "heading wrap", "heading wraps", ", unwrapped"},
         {&LogDefects::cutLines, "cut_lines", "last line", "last lines", " cut off, left out"},
         {&LogDefects::commandGaps, "command_gaps", "gap", "gaps", " in the commands"},
-        {&LogDefects::poseGaps, "pose_gaps", "gap", "gaps", " in the poses"}};
+        {&LogDefects::poseGaps, "pose_gaps", "gap", "gaps", " in the poses"},
+        {&LogDefects::ballGaps, "ball_gaps", "gap", "gaps", " in the ball's positions"}};
     return counts;
 }
 

@@ -25,12 +25,16 @@ struct RobotInspection {
     double commandTime = 0, poseTime = 0;  ///< s, from first to last, summed over trajectories
     MeasuredRange v, w;                    ///< of the commands, m/s and rad/s
     MeasuredRange x, y;                    ///< of the poses, m
+    std::size_t ball = 0, kicks = 0;       ///< positions of the ball, commanded kicks
+    double ballTime = 0;                   ///< s, as of the poses
+    MeasuredRange kickPower;
     LogDefects defects;
     DeadTimes delays;
     std::vector<SensorInspection> sensors = {};
 
     double commandRate() const;  ///< Hz; 0 where it has none
     double poseRate() const;
+    double ballRate() const;
 };
 
 /// What a log holds.

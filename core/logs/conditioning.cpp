@@ -116,6 +116,23 @@ void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& 
     countGaps(commands, options.commandGap, defects.commandGaps, defects.longestCommandGap);
 }
 
+void conditionKicks(std::vector<StampedKick>& kicks, LogDefects& defects) {
+    sortByTime(kicks, defects);
+    keepLastOfEqualStamps(kicks, defects);
+}
+
+void conditionBall(std::vector<StampedBall>& ball, const LogOptions& options, LogDefects& defects) {
+    sortByTime(ball, defects);
+    keepLastOfEqualStamps(ball, defects);
+    const Nanoseconds longest = fromSeconds(options.ballGap);
+    defects.ballOutliers += dropBetween(ball, [&](const auto& before, const auto& sample, const auto& after) {
+        const auto between = [](const StampedBall& a, const StampedBall& b) { return length(b.place - a.place); };
+        return after.time - before.time <= longest &&
+               isFarOff(between(before, sample), between(sample, after), between(before, after), outlierDistance);
+    });
+    countGaps(ball, options.ballGap, defects.ballGaps, defects.longestBallGap);
+}
+
 void conditionPoses(std::vector<StampedPose>& poses, const LogOptions& options, LogDefects& defects) {
     sortByTime(poses, defects);
     keepLastOfEqualStamps(poses, defects);

@@ -58,6 +58,10 @@ void conditionCommands(std::vector<StampedCommand>& commands, const LogOptions& 
 /// Undoes and counts jumps by whole turns.
 void unwrapHeadings(std::vector<StampedPose>& poses, LogDefects& defects);
 
+/// Sorts by time (stable) and keeps the last of equal stamps; of the ball also drops outliers and counts gaps.
+void conditionKicks(std::vector<StampedKick>& kicks, LogDefects& defects);
+void conditionBall(std::vector<StampedBall>& ball, const LogOptions& options, LogDefects& defects);
+
 /// Sorts by time (stable), keeps the last of equal stamps, drops outliers, unwraps headings, and counts gaps.
 void conditionPoses(std::vector<StampedPose>& poses, const LogOptions& options, LogDefects& defects);
 

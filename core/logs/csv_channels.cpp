@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/pose.h"
+#include "io/format.h"
 #include "logs/conditioning.h"
 
 namespace mrose {
@@ -19,6 +20,8 @@ Expected<void> forEachStream(CsvChannels& channels, Function function) {
     if (result) result = function(channels.poses);
     for (auto& stream : channels.alone)
         if (result) result = function(stream);
+    if (result) result = function(channels.kicks);
+    if (result) result = function(channels.ball);
     return result;
 }
 
@@ -105,9 +108,23 @@ std::vector<StampedPose> pairPoses(const Values& x, const Values& y, const Value
     return poses;
 }
 
+/// The row's kick and ball. Whether it has one of them.
+Expected<bool> addBall(CsvChannels& channels, const CsvRows& rows, const CsvCells& cells) {
+    const Nanoseconds time = cells[CsvColumn::time]->instant;
+    const CsvCell *kick = cells[CsvColumn::kick], *x = cells[CsvColumn::ballX], *y = cells[CsvColumn::ballY];
+    if ((x == nullptr) != (y == nullptr)) return failEmpty(rows, x == nullptr ? CsvColumn::ballX : CsvColumn::ballY);
+    if (kick != nullptr && !(kick->number >= 0 && kick->number <= 1))
+        return failCell(rows, CsvColumn::kick,
+                        "expected the power of a kick, 0 to 1, found " + numberText(kick->number));
+    if (kick != nullptr) channels.kicks.add({time, kick->number}, rows.position());
+    if (x != nullptr) channels.ball.add({time, {x->number, y->number}}, rows.position());
+    return kick != nullptr || x != nullptr;
+}
+
 }  // namespace
 
-bool CsvChannels::add(const CsvCells& cells, const char* place) {
+Expected<bool> CsvChannels::add(const CsvRows& rows, const CsvCells& cells) {
+    const char* const place = rows.position();
     const Nanoseconds time = cells[CsvColumn::time]->instant;
     std::array<const CsvCell*, csvChannels> row{};
     for (std::size_t channel = 0; channel < csvChannels; ++channel) row[channel] = cells[CsvColumn(channel)];
@@ -125,7 +142,8 @@ bool CsvChannels::add(const CsvCells& cells, const char* place) {
     } else {
         for (const std::size_t channel : {xChannel, yChannel, headingChannel}) addAlone(channel);
     }
-    return std::any_of(row.begin(), row.end(), [](const CsvCell* cell) { return cell != nullptr; });
+    const bool driven = std::any_of(row.begin(), row.end(), [](const CsvCell* cell) { return cell != nullptr; });
+    return addBall(*this, rows, cells).map([&](bool ball) { return ball || driven; });
 }
 
 Expected<void> endFile(CsvChannels& channels, std::string_view content, const std::string& name, LogDefects& defects) {
@@ -148,6 +166,10 @@ void merge(CsvChannels& channels, const LogOptions& options, Trajectory& traject
                                      fromSeconds(options.poseGap), defects);
     conditionCommands(trajectory.commands, options, defects, &trajectory.blips);
     conditionPoses(trajectory.poses, options, defects);
+    trajectory.kicks = std::move(channels.kicks.samples);
+    trajectory.ball = std::move(channels.ball.samples);
+    conditionKicks(trajectory.kicks, defects);
+    conditionBall(trajectory.ball, options, defects);
 }
 
 }  // namespace mrose

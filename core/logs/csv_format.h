@@ -25,13 +25,16 @@ enum class CsvColumn {
     reportedHeading,
     scanStart,
     scanStep,
-    scan
+    scan,
+    kick,
+    ballX,
+    ballY
 };
 constexpr std::size_t csvChannels = 5;
-constexpr std::array<std::string_view, 19> csvColumnNames = {
+constexpr std::array<std::string_view, 22> csvColumnNames = {
     "v_cmd",      "w_cmd",     "x",       "y",     "heading", "t",          "robot",      "trajectory",
     "group",      "sensor",    "subject", "range", "bearing", "reported_x", "reported_y", "reported_heading",
-    "scan_start", "scan_step", "scan"};
+    "scan_start", "scan_step", "scan",    "kick",  "ball_x",  "ball_y"};
 
 /// How a comment line above the header of a log that no real robot made begins.
 constexpr std::string_view syntheticMark = "# synthetic";

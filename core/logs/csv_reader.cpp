@@ -165,7 +165,9 @@ Expected<void> CsvLog::addRow(const CsvRows& rows, const CsvCells& cells, const 
         trajectory.group = static_cast<int>(cell->number);
     }
     ++rows_;
-    drivenRows_ += trajectory.channels.add(cells, rows.position());
+    const auto driven = trajectory.channels.add(rows, cells);
+    if (!driven) return tl::unexpected(driven.error());
+    drivenRows_ += *driven;
     if (cells[CsvColumn::sensor] == nullptr)
         return hasReport(cells) ? Expected<void>(failEmpty(rows, CsvColumn::sensor)) : Expected<void>();
     ++measuredRows_;
@@ -195,9 +197,10 @@ Expected<void> CsvLog::finishTrajectory(CsvTrajectory& from, RobotLog& log, cons
     trajectory.name = from.name;
     trajectory.group = from.group;
     merge(from.channels, options, trajectory, log.defects);
-    if (trajectory.commands.empty() && trajectory.poses.empty())
+    if (trajectory.commands.empty() && trajectory.poses.empty() && trajectory.ball.empty())
         return fail(log_.source, "robot " + log.robot + ", trajectory " + from.name +
-                                     ": neither a command (v_cmd and w_cmd) nor a pose (x, y and heading)");
+                                     ": neither a command (v_cmd and w_cmd) nor a pose (x, y and heading) nor the ball "
+                                     "(ball_x and ball_y)");
     return from.sensors.finish(trajectory, options);
 }
 

@@ -33,6 +33,7 @@ void append(std::string& text, Nanoseconds time) {
 struct Labels {
     bool robot = false, trajectory = false, group = false;
     bool readings = false, reported = false, scans = false;
+    bool kicks = false, ball = false;
 
     bool sensors() const { return readings || reported || scans; }
 };
@@ -57,21 +58,27 @@ Labels labelsOf(const Log& log) {
             labels.trajectory =
                 labels.trajectory || robot.trajectories.size() > 1 || trajectory.name != defaultTrajectory;
             labels.group = labels.group || trajectory.group != index++;
+            labels.kicks = labels.kicks || !trajectory.kicks.empty();
+            labels.ball = labels.ball || !trajectory.ball.empty();
             addReports(labels, trajectory);
         }
     }
     return labels;
 }
 
-/// The cells of a row that a sensor fills, in the order of the columns; "" where it has none.
+/// The cells of a row beside commands and poses, in the order of the columns but for the last, which come first; ""
+/// where it has none.
 struct ReportCells {
     std::string_view sensor = {}, subject = {};
     std::string range = {}, bearing = {};
     std::array<std::string, 3> reported = {}, scan = {};
+    std::string kick = {}, ballX = {}, ballY = {};
 };
 
 void appendCells(std::string& text, const Labels& labels, const ReportCells& cells) {
     const auto append = [&](std::string_view cell) { text.append(",").append(cell); };
+    if (labels.kicks) append(cells.kick);
+    if (labels.ball) append(cells.ballX), append(cells.ballY);
     if (labels.sensors()) append(cells.sensor);
     if (labels.readings)
         for (const std::string_view cell :
@@ -126,6 +133,12 @@ void appendSensor(std::string& text, const std::string& prefix, const Labels& la
                      {.sensor = sensor.sensor, .scan = {cell(scan.start), cell(scan.step), rangesText(scan.ranges)}});
 }
 
+void appendBall(std::string& text, const std::string& prefix, const Labels& labels, const Trajectory& trajectory) {
+    for (const auto& [time, power] : trajectory.kicks) appendReport(text, prefix, labels, time, {.kick = cell(power)});
+    for (const auto& [time, place] : trajectory.ball)
+        appendReport(text, prefix, labels, time, {.ballX = cell(place.x), .ballY = cell(place.y)});
+}
+
 /// Rows without a time: who or where the subjects are.
 void appendSubjects(std::string& text, const Labels& labels, const std::vector<LogSubject>& subjects) {
     for (const LogSubject& subject : subjects) {
@@ -175,6 +188,8 @@ std::string toCsv(const Log& log) {
     if (labels.trajectory) text += "trajectory,";
     if (labels.group) text += "group,";
     text += "t,v_cmd,w_cmd,x,y,heading";
+    if (labels.kicks) text += ",kick";
+    if (labels.ball) text += ",ball_x,ball_y";
     if (labels.sensors()) text += ",sensor";
     if (labels.readings) text += ",subject,range,bearing";
     if (labels.reported) text += ",reported_x,reported_y,reported_heading";
@@ -188,6 +203,7 @@ std::string toCsv(const Log& log) {
             if (labels.trajectory) prefix += trajectory.name + ',';
             if (labels.group) prefix += std::to_string(trajectory.group) + ',';
             appendRows(text, prefix, labels, trajectory);
+            appendBall(text, prefix, labels, trajectory);
             for (const SensorLog& sensor : trajectory.sensors) appendSensor(text, prefix, labels, sensor, log.subjects);
         }
     return text;

@@ -15,6 +15,7 @@ namespace mrose {
 struct LogOptions {
     double commandGap = 0.5;    ///< s: longer pauses between commands are counted as gaps
     double poseGap = 0.2;       ///< s: likewise between poses; nothing is interpolated across them
+    double ballGap = 0.2;       ///< s: likewise between positions of the ball
     double lookSpan = 0.005;    ///< s: stamps of one sensor of a CSV log that are no farther apart are of one look
     bool dropBlips = true;      ///< single-sample zero commands
     DifferentialDrive drive{};  ///< for logs of wheel commands

@@ -4,12 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "geometry/point.h"
 #include "logs/measurements.h"
 #include "logs/stamped_pose.h"
 #include "world/command.h"
 #include "world/time.h"
 
 namespace mrose {
+
+/// Where a tracker saw the ball: its centre, in the frame of the poses.
+struct StampedBall {
+    Nanoseconds time = 0;
+    Point place;  ///< m
+};
+
+/// A kick that was commanded.
+struct StampedKick {
+    Nanoseconds time = 0;
+    double power = 1;  ///< 0 ... 1
+};
 
 struct StampedVelocity {
     Nanoseconds time = 0;
@@ -22,11 +35,14 @@ struct LogDefects {
     std::int64_t duplicates = 0;    ///< equal stamps in one file: the last one kept
     std::int64_t blips = 0;         ///< single-sample zero commands between equal moving ones: dropped
     std::int64_t poseOutliers = 0;  ///< single poses far off both neighbours: dropped
+    std::int64_t ballOutliers = 0;  ///< single positions of the ball far off both neighbours: dropped
     std::int64_t unpaired = 0;      ///< values of v, w, x, y or heading alone that met no partner: dropped
     std::int64_t headingWraps = 0;  ///< jumps by whole turns: unwrapped
     std::int64_t cutLines = 0;      ///< last lines of files that are cut off: dropped
     std::int64_t commandGaps = 0;   ///< longer than LogOptions::commandGap
     std::int64_t poseGaps = 0;      ///< longer than LogOptions::poseGap
+    std::int64_t ballGaps = 0;      ///< longer than LogOptions::ballGap
+    double longestBallGap = 0;      ///< s
     double longestCommandGap = 0;   ///< s
     double longestPoseGap = 0;      ///< s
 };
@@ -45,6 +61,8 @@ struct Trajectory {
     /// What the robot itself measured, where the log has it: wheel speeds through the drive, and the gyro (v is 0). A
     /// prediction may use it up to its start. Like commands it may begin before the poses.
     std::vector<StampedVelocity> measuredVelocity, measuredRotation;
+    std::vector<StampedKick> kicks = {};  ///< commanded to its kicker
+    std::vector<StampedBall> ball = {};   ///< the tracked ball, in strictly ascending time; with one robot of a session
     std::vector<SensorLog> sensors = {};  ///< what its sensors reported, each once
 };
 

@@ -86,6 +86,7 @@ Printed printed(const RobotInspection& robot) {
     for (const DefectCount& count : defectCounts()) defects[count.key] = robot.defects.*count.count;
     defects["longest_command_gap_s"] = robot.defects.longestCommandGap;
     defects["longest_pose_gap_s"] = robot.defects.longestPoseGap;
+    defects["longest_ball_gap_s"] = robot.defects.longestBallGap;
     Printed sensors = Printed::array();
     for (const SensorInspection& sensor : robot.sensors) sensors.push_back(printed(sensor));
     return {{"robot", robot.robot},
@@ -102,6 +103,8 @@ Printed printed(const RobotInspection& robot) {
               {"rate_hz", robot.poseRate()},
               {"x_m", printed(robot.x)},
               {"y_m", printed(robot.y)}}},
+            {"ball", {{"count", robot.ball}, {"seconds", robot.ballTime}, {"rate_hz", robot.ballRate()}}},
+            {"kicks", {{"count", robot.kicks}, {"power", printed(robot.kickPower)}}},
             {"defects", defects},
             {"sensors", sensors},
             {"delays", {{"v", printed(robot.delays.v)}, {"w", printed(robot.delays.w)}}}};

@@ -108,6 +108,17 @@ std::shared_ptr<const LearnedMotion> DescriptionLibrary::motion(const MotionNetw
     return motion;
 }
 
+std::shared_ptr<const LearnedKicker> DescriptionLibrary::kicker(TomlTable& table, std::string_view key,
+                                                                const std::string& from) {
+    const Value::File file = this->file(table, key, from, "nets", Holds::text);
+    if (!file) return nullptr;
+    std::shared_ptr<const LearnedKicker>& kicker = kickers_[file];
+    if (kicker) return kicker;
+    auto parsed = parseKick(*file->content.asText(), shown(file->name));
+    if (!parsed) return table.adopt(parsed.error()), nullptr;
+    return kicker = std::make_shared<const LearnedKicker>(std::move(*parsed));
+}
+
 std::shared_ptr<const LearnedSensor> DescriptionLibrary::sensor(TomlTable& table, std::string_view key,
                                                                 const std::string& from) {
     const Value::File file = this->file(table, key, from, "nets", Holds::text);

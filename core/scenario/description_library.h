@@ -13,6 +13,7 @@
 #include "io/error.h"
 #include "io/toml_table.h"
 #include "io/value.h"
+#include "manipulation/learned_kicker.h"
 #include "motion/learned_model.h"
 #include "perception/learned_sensor.h"
 #include "scenario/description_source.h"
@@ -41,6 +42,7 @@ public:
     const MotionNetwork* network(TomlTable& table, std::string_view key, const std::string& from);
     /// One of these networks made ready for use, once for each dead time: that of the network, so much later.
     std::shared_ptr<const LearnedMotion> motion(const MotionNetwork& network, Nanoseconds laterV, Nanoseconds laterW);
+    std::shared_ptr<const LearnedKicker> kicker(TomlTable& table, std::string_view key, const std::string& from);
     std::shared_ptr<const LearnedSensor> sensor(TomlTable& table, std::string_view key, const std::string& from);
     /// The network of a task that a controller calls.
     std::shared_ptr<const LearnedMapping> mapping(TomlTable& table, std::string_view key, const std::string& from);
@@ -66,6 +68,7 @@ private:
     std::map<std::pair<std::string, Holds>, Value::File> files_;
     std::map<Value::File, std::shared_ptr<const Shape>> shapes_;
     std::map<Value::File, MotionNetwork> networks_;
+    std::map<Value::File, std::shared_ptr<const LearnedKicker>> kickers_;
     std::map<Value::File, std::shared_ptr<const LearnedSensor>> sensors_;
     std::map<Value::File, std::shared_ptr<const LearnedMapping>> mappings_;
     /// Checked, with what it refers to, and what of it is for robot files.

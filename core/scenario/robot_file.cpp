@@ -152,10 +152,35 @@ void readMotionNoise(TomlTable table, RobotDescription& robot) {
     table.rejectUnknown();
 }
 
-Manipulator readManipulator(TomlTable& table, const DeadTimes& deadTimes) {
+/// What the network says is usual.
+void takeFrom(const KickNetwork& network, Manipulator& manipulator) {
+    manipulator.direction = network.direction;
+    manipulator.speed = network.constant.speedAtFull;
+    manipulator.deadTime = fromSeconds(network.constant.deadTime);
+    const bool across = std::abs(cosine(network.direction)) < 0.7;
+    const KickNetwork::Range& wide = network.seen[across ? 3 : 4];
+    manipulator.width = wide.most - wide.least;
+}
+
+void readLearnedKicker(TomlTable& table, Manipulator& manipulator, const std::string& from,
+                       DescriptionLibrary& library) {
+    for (const char* const known : {"direction_deg", "speed_mps", "reach_m", "width_m", "dead_time_s"})
+        if (table.has(known)) table.reject(known, "is not for a kicker with a network, which says it");
+    manipulator.recharge = durationOr(table, "recharge_s", manipulator.recharge, {0, 3600});
+    manipulator.learned = library.kicker(table, "network", from);
+    table.rejectUnknown();
+    if (manipulator.learned) takeFrom(manipulator.learned->network(), manipulator);
+}
+
+Manipulator readManipulator(TomlTable& table, const DeadTimes& deadTimes, const std::string& from,
+                            DescriptionLibrary& library) {
     Manipulator manipulator;
     manipulator.name = name(table, "name");
     manipulator.position = point(table, "position_m", shapeReach);
+    if (table.has("network")) {
+        readLearnedKicker(table, manipulator, from, library);
+        return manipulator;
+    }
     manipulator.direction = angleOr(table, "direction_deg", 0, anyAngle);
     manipulator.speed = table.number("speed_mps", {0, 20});
     manipulator.reach = table.numberOr("reach_m", manipulator.reach, {0.001, 10});
@@ -166,13 +191,14 @@ Manipulator readManipulator(TomlTable& table, const DeadTimes& deadTimes) {
     return manipulator;
 }
 
-void readManipulators(TomlTable& root, RobotType& type, const DeadTimes& deadTimes) {
+void readManipulators(TomlTable& root, RobotType& type, const DeadTimes& deadTimes, const std::string& from,
+                      DescriptionLibrary& library) {
     std::vector<TomlTable> tables = root.tablesOrNone("manipulator");
     if (tables.size() > maxManipulators)
         root.reject("manipulator",
                     "has " + std::to_string(tables.size()) + "; expected at most " + std::to_string(maxManipulators));
     for (TomlTable& table : tables) {
-        Manipulator manipulator = readManipulator(table, deadTimes);
+        Manipulator manipulator = readManipulator(table, deadTimes, from, library);
         const auto same = [&](const Manipulator& other) { return other.name == manipulator.name; };
         if (std::any_of(type.manipulators.begin(), type.manipulators.end(), same))
             table.reject("name", "\"" + manipulator.name + "\" is the name of another manipulator too");
@@ -195,7 +221,7 @@ Expected<RobotDescription> readRobot(const Value::File& file, DescriptionLibrary
     if (!root.failed()) readMotion(root, robot, *file, library, deadTimes);
     robot.deadTime = (deadTimes.v + deadTimes.w) / 2;
     readMotionNoise(root.tableOrEmpty("motion_noise"), robot);
-    readManipulators(root, type, deadTimes);
+    readManipulators(root, type, deadTimes, file->name, library);
     type.perception = readPerception(root.tableOrEmpty("perception"));
     type.sensors = readSensors(root.tablesOrNone("sensor"), library.sensorSources(file->name, type.shape));
     root.rejectUnknown();

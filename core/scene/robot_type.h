@@ -13,8 +13,10 @@
 namespace mrose {
 
 class Sensor;
+class LearnedKicker;
 
-/// A kicker: a ball whose edge lies within its reach leaves it with the given speed along its direction.
+/// A kicker: a ball whose edge lies within its reach leaves it with the given speed along its direction; or, where it
+/// is learned, when, whether, how fast and in which direction its network says (manipulation/).
 struct Manipulator {
     std::string name;
     Point position;        ///< of the middle of its face, in the robot's frame, m
@@ -24,6 +26,8 @@ struct Manipulator {
     double width = 0.2;    ///< m, of its face
     Nanoseconds recharge = nanosecondsPerSecond;
     Nanoseconds deadTime = 0;  ///< from command to kick
+    /// In the place of direction, speed, reach, width and dead time, which then only say what is usual of it.
+    std::shared_ptr<const LearnedKicker> learned = {};
     bool operator==(const Manipulator&) const = default;
 };
 

@@ -74,10 +74,9 @@ void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const 
     }
     for (const StampedCommand& earlier : decision.earlier) issue(scenario, state, robot, earlier);
     if (decision.command) issue(scenario, state, robot, {now, *decision.command});
-    const std::vector<Manipulator>& manipulators = scene.typeOf(robot).manipulators;
+    const auto index = static_cast<std::uint32_t>(robot);
     for (const Kick& kick : decision.kicks)
-        state.kicks.push_back({now + manipulators[kick.manipulator].deadTime, static_cast<std::uint32_t>(robot),
-                               kick.manipulator, kick.power});
+        state.kicks.push_back({kickDue(scene, state, index, kick), index, kick.manipulator, kick.power});
     std::uint64_t number = 0;
     for (const RadioMessage& message : decision.messages)
         state.messages.push_back({state.tick, number++, static_cast<std::uint32_t>(robot), message.to, message.kind,

@@ -48,6 +48,8 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
             StepTrace* trace);
 void rememberPoses(const Scenario& scenario, WorldState& state);
 void predictMotion(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace);
+/// When a kick acts that a robot's controller commands at this tick.
+Nanoseconds kickDue(const Scene& scene, const WorldState& state, std::uint32_t robot, const Kick& kick);
 void kick(const Scenario& scenario, WorldState& state, StepTrace* trace);
 void planFreeMotion(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers);
 void resolveContacts(const Scenario& scenario, WorldState& state, StepBuffers::Content& buffers, StepTrace* trace);

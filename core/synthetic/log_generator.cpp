@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "synthetic/ball_play.h"
 #include "synthetic/field_landmarks.h"
 #include "synthetic/reference_camera.h"
 #include "synthetic/reference_localiser.h"
@@ -47,9 +48,9 @@ std::uint64_t seedOfRun(std::uint64_t seed, DrivePattern pattern, std::uint32_t 
     return static_cast<std::uint64_t>(uniformNoise({seed, which, index, seedOfRuns}) * 0x1p53);
 }
 
-std::string trajectoryName(DrivePattern pattern, int index, int repeat, int repeats) {
+std::string trajectoryName(const SyntheticPart& part, int index, int repeat) {
     char text[64];
-    std::snprintf(text, sizeof text, repeats > 1 ? "%s%d.%d" : "%s%d", std::string(name(pattern)).c_str(), index + 1,
+    std::snprintf(text, sizeof text, part.repeats > 1 ? "%s%d.%d" : "%s%d", std::string(name(part)).c_str(), index + 1,
                   repeat + 1);
     return text;
 }
@@ -63,6 +64,8 @@ std::vector<SensorLog> sensorsOf(const SyntheticRun& run, std::uint64_t seed) {
 void shift(Trajectory& trajectory, Nanoseconds by) {
     for (StampedCommand& command : trajectory.commands) command.time += by;
     for (StampedPose& pose : trajectory.poses) pose.time += by;
+    for (StampedKick& kick : trajectory.kicks) kick.time += by;
+    for (StampedBall& ball : trajectory.ball) ball.time += by;
     for (SensorLog& sensor : trajectory.sensors) {
         for (Look& look : sensor.looks) look.time += by;
         for (StampedPose& pose : sensor.poses) pose.time += by;
@@ -104,30 +107,65 @@ const std::vector<SyntheticSet>& syntheticSets() {
         {"repeat",
          "the same commands several times, to see how far runs differ",
          {{DrivePattern::random, 30, 15, 4}, {DrivePattern::jink, 1, -1, 10}, {DrivePattern::ellipse, 1, -1, 10}}},
+        {"kicks",
+         "600 kicks at a ball that is tracked, and 120 thrown balls, to learn a kicker and identify the ball by",
+         {{.trajectories = 600, .ball = BallPlay::kicks}, {.trajectories = 120, .ball = BallPlay::throws}}},
+        {"more-kicks", "300 kicks, to judge by; with another seed", {{.trajectories = 300, .ball = BallPlay::kicks}}},
     };
     return sets;
 }
 
+namespace {
+
+/// What one run of a part leaves in the log, on a clock of its own.
+Trajectory trajectoryOf(const SyntheticPart& part, std::uint64_t seed, int index, int repeat) {
+    const auto number = static_cast<std::uint32_t>(index);
+    const double duration = durationOf(part);
+    Trajectory trajectory;
+    trajectory.name = trajectoryName(part, index, repeat);
+    trajectory.group = index;
+    if (part.ball != BallPlay::none) {
+        const int kind = patternCount + static_cast<int>(part.ball);
+        const std::uint64_t runSeed = seedOfRun(seed, static_cast<DrivePattern>(kind), number, repeat);
+        BallRun run = playBall(part.ball, duration, runSeed, index);
+        trajectory.commands = std::move(run.commands);
+        trajectory.poses = run.robot.tracked;
+        trajectory.kicks = std::move(run.kicks);
+        trajectory.ball = std::move(run.ball);
+        if (part.sensors) trajectory.sensors = sensorsOf(run.robot, runSeed);
+        return trajectory;
+    }
+    const std::uint64_t runSeed = seedOfRun(seed, part.pattern, number, repeat);
+    trajectory.commands = patternCommands(part.pattern, duration, seed, number);
+    const SyntheticRun run =
+        runReferenceRobot(trajectory.commands, duration, startOf(seed, number, part.pattern), runSeed);
+    trajectory.poses = run.tracked;
+    if (part.sensors) trajectory.sensors = sensorsOf(run, runSeed);
+    return trajectory;
+}
+
+}  // namespace
+
+std::string_view name(const SyntheticPart& part) {
+    if (part.ball == BallPlay::none) return name(part.pattern);
+    return part.ball == BallPlay::kicks ? "kicks" : "throws";
+}
+
+double durationOf(const SyntheticPart& part) {
+    constexpr double ofBalls = 6;  // s: most rest by then
+    if (part.duration >= 0) return part.duration;
+    return part.ball == BallPlay::none ? patternDuration(part.pattern) : ofBalls;
+}
+
 std::optional<Log> generateLog(const SyntheticPart& part, std::uint64_t seed, const Progress& progress) {
-    const double duration = part.duration < 0 ? patternDuration(part.pattern) : part.duration;
     Log log{"", "csv", 0, {{"reference", {}, {}}}, {}, true};
     if (part.sensors) log.subjects = fieldLandmarks();
     auto& trajectories = log.robots.front().trajectories;
     Nanoseconds begin = 0;
     for (int i = 0; i < part.trajectories; ++i) {
-        const auto index = static_cast<std::uint32_t>(i);
-        const auto commands = patternCommands(part.pattern, duration, seed, index);
         for (int repeat = 0; repeat < part.repeats; ++repeat) {
-            const std::uint64_t runSeed = seedOfRun(seed, part.pattern, index, repeat);
-            const SyntheticRun run = runReferenceRobot(commands, duration, startOf(seed, index, part.pattern), runSeed);
-            Trajectory& trajectory = trajectories.emplace_back();
-            trajectory.name = trajectoryName(part.pattern, i, repeat, part.repeats);
-            trajectory.group = i;
-            trajectory.commands = commands;
-            trajectory.poses = run.tracked;
-            if (part.sensors) trajectory.sensors = sensorsOf(run, runSeed);
-            shift(trajectory, begin);
-            begin += fromSeconds(std::ceil(duration + pause));
+            shift(trajectories.emplace_back(trajectoryOf(part, seed, i, repeat)), begin);
+            begin += fromSeconds(std::ceil(durationOf(part) + pause));
             const double done = static_cast<double>(trajectories.size()) / (part.trajectories * part.repeats);
             if (progress && !progress(done)) return std::nullopt;
         }

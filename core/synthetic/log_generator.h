@@ -30,14 +30,22 @@ struct SyntheticRun {
 SyntheticRun runReferenceRobot(std::span<const StampedCommand> commands, double duration, const Pose& start,
                                std::uint64_t seed, const SyntheticTracker& tracker = {});
 
+/// Whether a log has a tracked ball (ball_play.h): one that the robot kicks, or that somebody throws.
+enum class BallPlay { none, kicks, throws };
+
 /// Trajectories of one drive pattern: one file.
 struct SyntheticPart {
     DrivePattern pattern = DrivePattern::random;
-    int trajectories = 1;  ///< different ones (of the jink and the ellipse: with other jitter only)
-    double duration = -1;  ///< s each; below 0: patternDuration
-    int repeats = 1;       ///< of each one's commands; the repetitions are one group
-    bool sensors = false;  ///< with what the robot's localisation and camera report
+    int trajectories = 1;            ///< different ones (of the jink and the ellipse: with other jitter only)
+    double duration = -1;            ///< s each; below 0: patternDuration
+    int repeats = 1;                 ///< of each one's commands; the repetitions are one group
+    bool sensors = false;            ///< with what the robot's localisation and camera report
+    BallPlay ball = BallPlay::none;  ///< in the pattern's place
 };
+/// "random", "kicks": as its file is called.
+std::string_view name(const SyntheticPart& part);
+/// s, of each of its trajectories.
+double durationOf(const SyntheticPart& part);
 
 /// A set of logs under its name.
 struct SyntheticSet {
@@ -45,7 +53,7 @@ struct SyntheticSet {
     std::vector<SyntheticPart> parts;
 };
 
-/// The sets that mrose generate offers: training, held-out, example, repeat.
+/// The sets that mrose generate offers: training, held-out, example, repeat, kicks, more-kicks.
 const std::vector<SyntheticSet>& syntheticSets();
 
 /// The log of one part, of a robot called "reference": Log::synthetic is set. Trajectories follow each other in time,

@@ -31,13 +31,10 @@ Expected<std::vector<SyntheticPart>> partsOf(const GenerateRequest& request) {
     return parts;
 }
 
-double secondsOf(const SyntheticPart& part) {
-    const double each = part.duration < 0 ? patternDuration(part.pattern) : part.duration;
-    return each * part.trajectories * part.repeats;
-}
+double secondsOf(const SyntheticPart& part) { return durationOf(part) * part.trajectories * part.repeats; }
 
 std::filesystem::path fileOf(const GenerateRequest& request, const SyntheticPart& part) {
-    return std::filesystem::path(request.folder) / (std::string(name(part.pattern)) + ".csv");
+    return std::filesystem::path(request.folder) / (std::string(name(part)) + ".csv");
 }
 
 /// The folder, made; error where a file could not be written into it, or is there already.
@@ -83,7 +80,7 @@ Expected<std::vector<GeneratedLog>> generateLogs(const GenerateRequest& request,
         const std::filesystem::path file = fileOf(request, part);
         if (auto written = writeCsv(file, logs[i]); !written) return tl::unexpected(written.error());
         generated.push_back(
-            {file, part.pattern, logs[i].robots.front().trajectories.size(), part.repeats, secondsOf(part)});
+            {file, std::string(name(part)), logs[i].robots.front().trajectories.size(), part.repeats, secondsOf(part)});
     }
     return generated;
 }

@@ -25,7 +25,7 @@ struct GenerateRequest {
 
 struct GeneratedLog {
     std::filesystem::path file;
-    DrivePattern pattern = DrivePattern::random;
+    std::string pattern;  ///< or what was done with the ball
     std::size_t trajectories = 0;
     int repeats = 1;
     double seconds = 0;  ///< of all trajectories

@@ -39,6 +39,10 @@ void requireSound(const SensorLog& sensor, std::size_t subjects) {
 void requireSound(const Trajectory& trajectory) {
     requireAscending(trajectory.commands);
     requireAscending(trajectory.poses);
+    requireAscending(trajectory.kicks);
+    requireAscending(trajectory.ball);
+    for (const StampedKick& kick : trajectory.kicks) require(kick.power >= 0 && kick.power <= 1);
+    for (const StampedBall& ball : trajectory.ball) require(isFinite(ball.place));
     requireAscending(trajectory.measuredVelocity);
     requireAscending(trajectory.measuredRotation);
     for (const StampedCommand& sample : trajectory.commands)
