@@ -60,7 +60,7 @@ std::vector<LegendEntry> legendOf(const std::vector<PlotCurve>& curves, const QS
     if (const auto ahead = std::find_if(curves.begin(), curves.end(), isAhead); goesOn && ahead != curves.end())
         legend.push_back({QObject::tr("pale: not yet simulated"), aheadPen(*ahead, Qt::white)});
     for (const PlotCurve* const shaded : shadedOf(curves, false))
-        legend.push_back({QObject::tr("50 % of runs, paler: 90 %"), expectedPen(*shaded, Qt::white)});
+        legend.push_back({QObject::tr("50 % of runs, fainter: 90 %"), expectedPen(*shaded, Qt::white)});
     if (ghost == nullptr) return legend;
     PlotCurve any = *ghost;
     any.colour = theme.text;

@@ -434,7 +434,7 @@ void PlotPanel::updateList() {
         add(dashed, tr("bound"), level.unit,
             tr("Farther off for 0.3 s it has left the real trajectory; the upright line is where"), {});
     for (const PlotCurve* const curve : shadedOf(view_->curves(), byAxis)) {
-        add(expectedPen(*curve, groundOf(theme_)), tr("50 %, paler: 90 %"), curve->unit,
+        add(expectedPen(*curve, groundOf(theme_)), tr("50 %, fainter: 90 %"), curve->unit,
             tr("Shaded: where half and 90 % of all runs are, by the noise of the robot's motion"), {});
         lines.back().unit.clear();
         lines.back().counts = false;

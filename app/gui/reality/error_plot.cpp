@@ -207,6 +207,9 @@ PlotPanel::Foresight ErrorPlot::foresight(std::optional<std::size_t> which) cons
     return known;
 }
 
-void ErrorPlot::settle() { computing_.settle(); }
+void ErrorPlot::settle() {
+    bands_.settle();
+    computing_.settle();
+}
 
 }  // namespace mrose::gui

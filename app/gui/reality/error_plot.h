@@ -39,7 +39,7 @@ public:
     void setOn(bool on);  ///< of the log that is open
     /// Shows the plots' dock, unless it was closed.
     void showDock();
-    void settle();  ///< the shown rollout is computed and plotted; for scripts and tests
+    void settle();  ///< the shown rollout and where robots may be are computed and shown; for scripts and tests
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -6,7 +6,6 @@
 namespace mrose::gui {
 
 class ErrorPlot;
-class FieldBands;
 class OverlayPanel;
 class TimeBar;
 
@@ -16,7 +15,6 @@ struct ScriptedWindow {
     FieldView& field;
     PlotPanel& plots;
     ErrorPlot& errors;
-    FieldBands& bands;
     Overlay& overlay;
     OverlayPanel& reality;
     TimeBar& time;

@@ -19,7 +19,6 @@
 #include "panels/plot_panel.h"
 #include "panels/time_bar.h"
 #include "reality/error_plot.h"
-#include "reality/field_bands.h"
 #include "reality/overlay.h"
 #include "scripting/export_script.h"
 #include "scripting/overlay_script.h"
@@ -462,7 +461,6 @@ void settle(const ScriptedWindow& window) {
     window.overlay.settle();
     window.frame.session.settle();
     QApplication::processEvents();
-    window.bands.settle();
     window.errors.settle();
     window.plots.settle();
     QApplication::processEvents();

@@ -256,7 +256,7 @@ void MainWindow::lookAtKick(std::size_t robot) {
 FieldView& MainWindow::field() const { return view_->field(); }
 
 ScriptedWindow MainWindow::scripted() const {
-    return {frame_, field(), *plots_, *errors_, *bands_, *overlay_, *reality_, *time_, exports_};
+    return {frame_, field(), *plots_, *errors_, *overlay_, *reality_, *time_, exports_};
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
