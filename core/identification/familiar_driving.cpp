@@ -14,7 +14,7 @@ using Driving = FamiliarDriving::Driving;
 using Quantity = NetworkInput::Quantity;
 
 /// Nothing nearer than this is called far, in units of the scales: of logs that repeat one command.
-constexpr double leastDistance = 0.05;
+constexpr double leastUnfamiliar = 0.05;
 
 /// The newest four periods of what the network reads of a channel.
 FamiliarDriving::Channel describedPart(const MotionNetwork& network, Quantity quantity) {
@@ -69,7 +69,7 @@ std::vector<Driving> prototypesOf(const std::vector<Driving>& patterns) {
         for (std::size_t p = 0; p < patterns.size(); ++p)
             distances[p] = std::min(distances[p], squared(patterns[p], prototypes.back()));
         next = std::size_t(std::max_element(distances.begin(), distances.end()) - distances.begin());
-        if (distances[next] <= leastDistance * leastDistance) break;
+        if (distances[next] <= leastUnfamiliar * leastUnfamiliar) break;
     }
     return prototypes;
 }
@@ -125,7 +125,7 @@ std::optional<FamiliarDriving> familiarDriving(std::span<const Log> logs, const 
     familiar.periods = static_cast<std::int64_t>(distances.size());
     std::size_t share = 10;
     for (double& distance : familiar.distances) {
-        distance = std::max(leastDistance, distances[distances.size() - 1 - distances.size() / share]);
+        distance = std::max(leastUnfamiliar, distances[distances.size() - 1 - distances.size() / share]);
         share *= 10;
     }
     familiar.prototypes = prototypesOf(all);
