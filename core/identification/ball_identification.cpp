@@ -37,7 +37,7 @@ public:
     BallSamples(const Log& log, const BallIdentificationOptions& options) : log_(log), options_(options) {}
 
     void add(const Trajectory& trajectory) {
-        const BallTrack track = analyseBallTrack(trajectory.ball);
+        const BallAnalysis track = analyseBallTrack(trajectory.ball);
         found.noise += track.noise * static_cast<double>(trajectory.ball.size());
         found.positions += trajectory.ball.size();
         found.moved += track.moved;

@@ -44,7 +44,7 @@ double squaresAbout(Points points) {
 /// A pause-free part of a track.
 class TrackPart {
 public:
-    TrackPart(std::vector<TrackedPoint> points, Nanoseconds origin, double noise, BallTrack& found)
+    TrackPart(std::vector<TrackedPoint> points, Nanoseconds origin, double noise, BallAnalysis& found)
         : points_(std::move(points)), origin_(origin), noise_(noise), found_(found) {
         const double step = (points_.back().time - points_.front().time) / static_cast<double>(points_.size() - 1);
         width_ = std::max(windowPoints, static_cast<std::size_t>(std::ceil(bendWindow / step)));
@@ -271,7 +271,7 @@ private:
     std::vector<TrackedPoint> points_;
     Nanoseconds origin_;
     double noise_;
-    BallTrack& found_;
+    BallAnalysis& found_;
     std::size_t width_ = windowPoints;
     double slopeError_ = 0, limit_ = 0;
     std::vector<Stretch> stretches_;
@@ -295,8 +295,8 @@ double trackerNoise(std::span<const StampedBall> ball) {
     return robustSpread(std::move(differences), 0) / std::sqrt(20.0);
 }
 
-BallTrack analyseBallTrack(std::span<const StampedBall> ball, double noise) {
-    BallTrack found;
+BallAnalysis analyseBallTrack(std::span<const StampedBall> ball, double noise) {
+    BallAnalysis found;
     found.noise = std::max(noise > 0 ? noise : trackerNoise(ball), leastNoise);
     for (std::size_t begin = 0; begin < ball.size();) {
         std::size_t end = begin + 1;

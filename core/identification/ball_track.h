@@ -19,7 +19,7 @@ struct BallEvent {
 
 /// That a ball slid until it rolled, after an event.
 struct BallSlide {
-    std::size_t event = 0;                           ///< in BallTrack::events
+    std::size_t event = 0;                           ///< in BallAnalysis::events
     double deceleration = 0, decelerationError = 0;  ///< m/s2, of the sliding
     double kept = 0, keptError = 0;                  ///< speed when it rolls over speed at the event
     double duration = 0, durationError = 0;          ///< s
@@ -32,7 +32,7 @@ struct BallRoll {
 };
 
 /// What one tracked ball did.
-struct BallTrack {
+struct BallAnalysis {
     std::vector<BallEvent> events;
     std::vector<BallSlide> slides;
     std::vector<BallRoll> rolls;
@@ -43,7 +43,7 @@ struct BallTrack {
 
 /// Finds the touches as sharp bends of the track and fits what lies between: a ball slides with even deceleration, then
 /// rolls with another one. Nothing of fewer than 20 positions. `noise`: of the tracker, m; 0: from the track itself.
-BallTrack analyseBallTrack(std::span<const StampedBall> ball, double noise = 0);
+BallAnalysis analyseBallTrack(std::span<const StampedBall> ball, double noise = 0);
 
 /// m, the standard deviation of a coordinate of a tracked ball, by what third differences leave; 0 of too few.
 double trackerNoise(std::span<const StampedBall> ball);

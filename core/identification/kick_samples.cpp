@@ -39,7 +39,7 @@ public:
     void add(const Trajectory& trajectory) {
         to_.commanded += trajectory.kicks.size();
         if (trajectory.kicks.empty()) return;
-        const BallTrack track = analyseBallTrack(trajectory.ball);
+        const BallAnalysis track = analyseBallTrack(trajectory.ball);
         for (std::size_t i = 0; i < trajectory.kicks.size(); ++i) {
             const StampedKick& kick = trajectory.kicks[i];
             Nanoseconds until = kick.time + fromSeconds(options_.longestDelay);
@@ -92,7 +92,7 @@ private:
             to_.kicks.push_back(*miss);
     }
 
-    void add(const Trajectory& trajectory, const StampedKick& kick, Nanoseconds until, const BallTrack& track) {
+    void add(const Trajectory& trajectory, const StampedKick& kick, Nanoseconds until, const BallAnalysis& track) {
         constexpr Nanoseconds before = 300'000'000;
         const auto place = meanPlace(trajectory.ball, kick.time - before, kick.time);
         const auto earlier = meanPlace(trajectory.ball, kick.time - 2 * before, kick.time - before);

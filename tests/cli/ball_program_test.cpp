@@ -54,8 +54,8 @@ TEST_F(BallProgram, WithoutABallOrAMapThereIsOneLine) {
     expectOneLine(runMrose({"identify-ball", log()}), {"holds no ball (columns ball_x and ball_y)"});
     const std::string still = write("still.csv", "t,ball_x,ball_y\n0,1,1\n0.1,1,1\n0.2,1,1\n");
     expectOneLine(runMrose({"identify-ball", still}), {"holds 3 positions of a ball, but no stretch"});
-    expectOneLine(runMrose({"identify-ball", still, "--environment", "pioneer1.toml"}),
-                  {"pioneer1.toml", "expected an environment"});
+    expectOneLine(runMrose({"identify-ball", still, "--environment", "soccer.toml"}),
+                  {"soccer.toml", "expected an environment"});
     expectOneLine(runMrose({"identify-ball", still, "-o", still, "--overwrite"}), {"still.csv"});
     EXPECT_EQ(read("ball.toml"), "");
 }

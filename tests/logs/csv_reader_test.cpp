@@ -154,7 +154,8 @@ TEST(CsvReader, EachErrorIsOneLineWithFileLineAndKey) {
     EXPECT_EQ(messageOf(""), "l.csv: is empty; expected a header line");
     EXPECT_EQ(messageOf("# c\nt,v_cmd,speed\n"),
               "l.csv:2: 'speed': unknown column; known are v_cmd, w_cmd, x, y, heading, t, robot, trajectory, group, "
-              "sensor, subject, range, bearing, reported_x, reported_y, reported_heading, scan_start, scan_step, scan");
+              "sensor, subject, range, bearing, reported_x, reported_y, reported_heading, scan_start, scan_step, scan, "
+              "kick, ball_x, ball_y");
     EXPECT_EQ(messageOf("t,x,x\n1,2,3\n"), "l.csv:1: x: column named twice");
     EXPECT_EQ(messageOf("v_cmd,w_cmd\n1,2\n1,2\n"), "l.csv:1: t: column missing from the header");
     EXPECT_EQ(messageOf("t,v_cmd,w_cmd\n1,2,3\n"), "l.csv: too short: 1 row; expected at least 2");
@@ -172,9 +173,9 @@ TEST(CsvReader, EachErrorIsOneLineWithFileLineAndKey) {
               "l.csv:2: group: expected a whole number of at most nine digits");
     EXPECT_EQ(messageOf("robot,t,v_cmd,w_cmd\n\"a,1,2,3\n\"a,2,3,4\n"),
               "l.csv:2: robot: expected a name of at most 64 printable characters without quotes");
-    EXPECT_EQ(
-        messageOf("t,v_cmd\n1,2\n2,3\n"),
-        "l.csv: robot robot, trajectory whole: neither a command (v_cmd and w_cmd) nor a pose (x, y and heading)");
+    EXPECT_EQ(messageOf("t,v_cmd\n1,2\n2,3\n"),
+              "l.csv: robot robot, trajectory whole: neither a command (v_cmd and w_cmd) nor a pose (x, y and heading) "
+              "nor the ball (ball_x and ball_y)");
 }
 
 TEST(CsvReader, ALastLineThatIsCutOffIsLeftOutAndCounted) {
