@@ -99,7 +99,9 @@ int runEvaluate(const EvaluateFlags& flags, const CommonFlags& common) {
         if (const auto writable = checkReportFolder(flags.folder, common.overwrite); !writable)
             return report(writable.error());
     watchInterrupts();
-    const auto evaluated = evaluateNetwork(flags.what, goesOn);
+    EvaluateRequest request = flags.what;
+    request.withAdvice = !flags.folder.empty();
+    const auto evaluated = evaluateNetwork(request, goesOn);
     if (wasInterrupted()) return reportInterrupted();
     if (!evaluated) return report(evaluated.error());
     const Evaluation& evaluation = evaluated->evaluation;

@@ -137,7 +137,7 @@ Json json(const Floor& floor, const LogWindows& log) {
 
 Json floorJson(const std::optional<Floor>& floor, const LogWindows& log) { return floor ? json(*floor, log) : Json(); }
 
-Json windowsJson(const Evaluation& evaluation) {
+Json windowsJson(const Evaluation& evaluation, const ReportContext& context) {
     const LogWindows& log = evaluation.log;
     Json list = Json::array();
     for (std::size_t i = 0; i < log.windows.size(); ++i) {
@@ -160,6 +160,7 @@ Json windowsJson(const Evaluation& evaluation) {
                         {"path_m", w.path},
                         {"path_by_steps_m", w.pathBySteps},
                         {"rotation_rad", w.rotation},
+                        {"unfamiliar", context.unfamiliar.empty() ? Json() : Json(context.unfamiliar[i])},
                         {"errors_by_model", std::move(errors)}});
     }
     return list;
@@ -217,7 +218,7 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
                    {"forecasts", std::move(forecasts)},
                    {"floor", floorJson(evaluation.log.floor, evaluation.log)},
                    {"turning_floor", floorJson(evaluation.log.turningFloor, evaluation.log)},
-                   {"windows", windowsJson(evaluation)}};
+                   {"windows", windowsJson(evaluation, context)}};
     // Names may hold bytes that are no UTF-8: replaced, as in the report.
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

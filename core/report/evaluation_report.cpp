@@ -327,6 +327,23 @@ std::string definitions(const Evaluation& evaluation) {
     return element("dl", "", list);
 }
 
+std::string trustSection(const Evaluation& evaluation, const ReportContext& context) {
+    std::string text;
+    if (!context.unfamiliar.empty()) {
+        double sum = 0;
+        for (const double share : context.unfamiliar) sum += share;
+        const double mean = 100 * sum / static_cast<double>(context.unfamiliar.size());
+        const auto most = std::max_element(context.unfamiliar.begin(), context.unfamiliar.end());
+        text = paragraph(cat("The network says where it was learned: in ", fixed(mean, 1),
+                             "\u00a0% of the periods the robot was driven otherwise, at most in ",
+                             fixed(100 * *most, 0), "\u00a0% of those of a window (",
+                             std::to_string(most - context.unfamiliar.begin() + 1), " of ",
+                             std::to_string(evaluation.log.windows.size()), "). What it predicts there is a guess."));
+    }
+    if (context.advice) text += adviceCard(*context.advice);
+    return text.empty() ? text : cat(heading("Where not to trust it, and what to drive next"), text);
+}
+
 }  // namespace
 
 std::string reportHtml(const Evaluation& evaluation, const ReportContext& context) {
@@ -336,8 +353,8 @@ std::string reportHtml(const Evaluation& evaluation, const ReportContext& contex
         cat(header(evaluation, context), headline(evaluation), tiles(evaluation.models.front().all),
             heading("Models side by side"), tableCard(modelTable(evaluation)), errorSection(evaluation),
             forecastSection(evaluation), pathSection(evaluation, context), tablesSection(evaluation),
-            barsSection(evaluation), floorSection(evaluation), heading("What the numbers mean"),
-            definitions(evaluation), provenance(evaluation, context));
+            barsSection(evaluation), trustSection(evaluation, context), floorSection(evaluation),
+            heading("What the numbers mean"), definitions(evaluation), provenance(evaluation, context));
     return reportPage(title, body);
 }
 

@@ -62,6 +62,15 @@ std::string card(std::string_view title, std::string_view content) {
 
 std::string tableCard(std::string_view content) { return element("div", "card", content); }
 
+std::string adviceCard(const DriveAdvice& advice) {
+    if (!advice.missing.empty()) return card("What to drive next", paragraph(escaped(advice.missing)));
+    std::string list;
+    for (const std::string& reason : advice.reasons) list += element("li", "", escaped(reason));
+    return card("What to drive next",
+                cat(paragraph(cat("The network would learn most from ", escaped(advice.drive), ":")),
+                    element("ul", "", list), paragraph(cat("<code>", escaped(advice.command), "</code>"))));
+}
+
 std::string cardPair(std::string_view first, std::string_view second) {
     return element("div", "pair", cat(first, second));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,14 @@
 
 namespace mrose {
 
+/// What is said of a drive that would teach a network most. All of it is plain text.
+struct DriveAdvice {
+    std::string drive;                 ///< "120 s, in 3.1 x 2.7 m"
+    std::vector<std::string> reasons;  ///< what it is made of, and why
+    std::string command;               ///< that writes it
+    std::string missing;               ///< why there is none; then all else is empty
+};
+
 /// What a report says beside the numbers. All of it is plain text.
 struct ReportContext {
     std::string program;               ///< "mrose 0.1.0"
@@ -23,6 +32,10 @@ struct ReportContext {
     std::vector<std::pair<std::string, std::string>> modelFacts;
     std::vector<LogFile> trainingLogs;  ///< of the first model
     std::vector<std::size_t> chosen;    ///< further windows whose paths are shown, indices into LogWindows::windows
+    /// Of the first model, by window: the share of its periods in which the robot was driven as it was never learned;
+    /// empty: it does not say where it was.
+    std::vector<double> unfamiliar = {};
+    std::optional<DriveAdvice> advice = {};  ///< nullopt: it was not asked for
 };
 
 // What reports are put together from; all contents are markup.
@@ -51,6 +64,8 @@ std::string cardPair(std::string_view first, std::string_view second);
 /// A figure of positions and one of headings.
 std::string figurePair(std::string_view position, std::string_view heading);
 std::string tableCard(std::string_view content);
+/// What to drive next.
+std::string adviceCard(const DriveAdvice& advice);
 
 /// A table with a header row. Cells are markup; the first column is a row header, the others are numbers aligned right
 /// unless said otherwise.

@@ -38,6 +38,7 @@ p { margin: 6px 0 10px; max-width: 86ch; }
 .paths { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 340px), 1fr)); gap: 14px; }
 .paths .soft { font-size: 13.5px; margin: 0 0 4px; line-height: 1.4; }
 .bars + .bars, .pair + .pair, .pair + .card { margin-top: 14px; }
+.warn { color: var(--warn); } .paths + .legend { margin-top: 12px; } .legend + .card { margin-top: 14px; }
 .paths + p { margin-top: 16px; } .paths .plot { margin: 0 auto; } .paths table + .soft { margin-top: 10px; }
 .closeups { display: grid; grid-template-columns: repeat(auto-fill, minmax(140px, 1fr)); gap: 12px 16px; } .closeup { font-size: 14px; } .closeup svg { margin-top: 4px; background: var(--page); border-radius: 6px; }
 .scroll { overflow-x: auto; }

@@ -63,36 +63,33 @@ double foreseenAtEnd(const Forecast& forecast, const std::vector<std::size_t>& w
     return quantile(errors, 0.5);
 }
 
-double meanUnfamiliar(const Sheet& sheet, const std::vector<std::size_t>& windows) {
+double meanUnfamiliar(const ReportContext& context, const std::vector<std::size_t>& windows) {
     double sum = 0;
-    for (const std::size_t i : windows) sum += sheet.unfamiliar[i];
+    for (const std::size_t i : windows) sum += context.unfamiliar[i];
     return 100 * sum / static_cast<double>(windows.size());
 }
 
 /// Why the windows of a kind are not to be relied on; empty: they are.
-std::string doubtOf(const Sheet& sheet, const Kind& kind, const Summary& all) {
+std::string doubtOf(const Evaluation& evaluation, const ReportContext& context, const Kind& kind) {
     std::string text;
     const auto add = [&](const std::string& reason) { text += (text.empty() ? "" : "; ") + reason; };
     if (kind.windows.size() < fewWindows) return "too few windows to say";
-    if (!sheet.unfamiliar.empty() && meanUnfamiliar(sheet, kind.windows) > 100 * muchUnfamiliar)
+    if (!context.unfamiliar.empty() && meanUnfamiliar(context, kind.windows) > 100 * muchUnfamiliar)
         add("driven as it was never learned");
-    if (const Forecast* forecast = forecastOf(sheet.evaluation);
+    if (const Forecast* forecast = forecastOf(evaluation);
         forecast != nullptr && insideAtEnd(*forecast, kind.windows, 0.9) < 75)
         add("surer than it should be");
-    if (kind.summary->p > 1.5 * all.p) add("errors half as large again as elsewhere");
+    if (kind.summary->p > 1.5 * evaluation.models.front().all.p) add("errors half as large again as elsewhere");
     return text;
 }
 
-std::string kindTable(const Sheet& sheet) {
-    const Evaluation& evaluation = sheet.evaluation;
+std::string kindTable(const Evaluation& evaluation, const ReportContext& context) {
     const Forecast* const forecast = forecastOf(evaluation);
-    std::vector<std::string> certain{"50 %", "90 %"};
     HtmlTable table({{"", {"driving", "windows"}},
                      {"how true", {"P %", "Hd %", "end cm", "end °"}},
                      {"how certain", {"90 % within cm", "inside 50 %", "inside 90 %"}},
                      {"where not to trust it", {"unfamiliar %", ""}}},
                     "dense");
-    const Summary& all = evaluation.models.front().all;
     for (const Kind& kind : kindsOf(evaluation)) {
         const Summary& s = *kind.summary;
         std::vector<std::string> cells{
@@ -105,8 +102,8 @@ std::string kindTable(const Sheet& sheet) {
         } else {
             cells.insert(cells.end(), 3, "–");
         }
-        cells.push_back(sheet.unfamiliar.empty() ? "–" : fixed(meanUnfamiliar(sheet, kind.windows), 1));
-        const std::string doubt = doubtOf(sheet, kind, all);
+        cells.push_back(context.unfamiliar.empty() ? "–" : fixed(meanUnfamiliar(context, kind.windows), 1));
+        const std::string doubt = doubtOf(evaluation, context, kind);
         cells.push_back(doubt.empty() ? "" : cat("<span class=\"warn\">", escaped(doubt), "</span>"));
         table.row(cells);
     }
@@ -114,8 +111,7 @@ std::string kindTable(const Sheet& sheet) {
 }
 
 /// Each window by how fast it was driven and turned.
-std::string drivenFigure(const Sheet& sheet) {
-    const LogWindows& log = sheet.evaluation.log;
+std::string drivenFigure(const LogWindows& log, const ReportContext& context) {
     std::vector<Point> places;
     Point most{0.1, 0.1};
     for (const Window& window : log.windows) {
@@ -128,13 +124,12 @@ std::string drivenFigure(const Sheet& sheet) {
     plot.axes("mean speed (m/s)", "mean turn rate (°/s)");
     for (const bool doubted : {false, true})
         for (std::size_t i = 0; i < places.size(); ++i)
-            if (doubted == (!sheet.unfamiliar.empty() && sheet.unfamiliar[i] > muchUnfamiliar))
+            if (doubted == (!context.unfamiliar.empty() && context.unfamiliar[i] > muchUnfamiliar))
                 plot.circle(places[i], doubted ? 4.5 : 3, doubted ? "leaves" : "sample");
     return plot.text();
 }
 
-std::string verdict(const Sheet& sheet) {
-    const Evaluation& evaluation = sheet.evaluation;
+std::string verdict(const Evaluation& evaluation, const ReportContext& context) {
     const Summary& all = evaluation.models.front().all;
     std::vector<std::size_t> every(evaluation.log.windows.size());
     for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
@@ -144,13 +139,13 @@ std::string verdict(const Sheet& sheet) {
             fixed(100 * all.positionFinal.median, 1), "\u00a0cm and ", fixed(degrees * all.headingFinal.median, 1),
             "° from the ", evaluation.log.real(), " one (P ", percentText(all.p), ", Hd ", percentText(all.hd), "). ");
     if (const Forecast* forecast = forecastOf(evaluation))
-        text += cat("It says how far they may differ: of its central 50 and 90\u00a0% hold ",
+        text += cat("It says how far they may differ: its central 50 and 90\u00a0% hold ",
                     fixed(insideAtEnd(*forecast, every, 0.5), 0), " and ", fixed(insideAtEnd(*forecast, every, 0.9), 0),
                     "\u00a0%. ");
     else
         text += "It does not know how far they may differ. ";
-    if (sheet.unfamiliar.empty()) return text + "It does not know where it was learned.";
-    const auto doubted = std::count_if(sheet.unfamiliar.begin(), sheet.unfamiliar.end(),
+    if (context.unfamiliar.empty()) return text + "It does not know where it was learned.";
+    const auto doubted = std::count_if(context.unfamiliar.begin(), context.unfamiliar.end(),
                                        [](double share) { return share > muchUnfamiliar; });
     return text + (doubted == 0
                        ? "Nothing of the log is driven as it was never learned."
@@ -158,19 +153,10 @@ std::string verdict(const Sheet& sheet) {
                              doubted == 1 ? " is" : " are", " driven as it was never learned."));
 }
 
-std::string adviceCard(const Sheet& sheet) {
-    if (!sheet.advice) return card("What to drive next", paragraph(escaped(sheet.withoutAdvice)));
-    std::string list;
-    for (const std::string& reason : sheet.advice->reasons) list += element("li", "", escaped(reason));
-    return card("What to drive next", cat(paragraph(cat(escaped(sheet.advice->drive), ":")), element("ul", "", list),
-                                          paragraph(cat("<code>", escaped(sheet.advice->command), "</code>"))));
-}
-
 }  // namespace
 
-std::string sheetHtml(const Sheet& sheet) {
-    const Evaluation& evaluation = sheet.evaluation;
-    std::vector<std::string> notices = sheet.context.notices;
+std::string sheetHtml(const Evaluation& evaluation, const ReportContext& context) {
+    std::vector<std::string> notices = context.notices;
     if (evaluation.log.synthetic)
         notices.insert(notices.begin(), "The log comes from a simulated robot: this says nothing of a real one.");
     const std::string title = cat(escaped(evaluation.models.front().name), " on ", escaped(evaluation.log.source),
@@ -179,21 +165,20 @@ std::string sheetHtml(const Sheet& sheet) {
         cat(counted(evaluation.log.windows.size(), "window"), " · open loop from measured starts");
     return reportPage(
         title,
-        element(
-            "div", "sheet",
-            cat(pageHead(title, subtitle, {evaluation.log.source, evaluation.log.synthetic}, sheet.context, notices),
-                element("p", "lead", verdict(sheet)), tableCard(kindTable(sheet)),
-                element("div", "thirds",
-                        cat(card("Position error", errorOverTimeFigure(evaluation, ErrorChannel::position)),
-                            card("Heading error", errorOverTimeFigure(evaluation, ErrorChannel::heading)),
-                            card("What was driven", drivenFigure(sheet)))),
-                errorOverTimeLegend(evaluation),
-                sheet.unfamiliar.empty()
-                    ? ""
-                    : legend(cat(dotEntry("sample", "a window"),
-                                 dotEntry("leaves", cat("more than ", fixed(100 * muchUnfamiliar, 0),
-                                                        " % of it driven as the network was never learned")))),
-                adviceCard(sheet))));
+        element("div", "sheet",
+                cat(pageHead(title, subtitle, {evaluation.log.source, evaluation.log.synthetic}, context, notices),
+                    element("p", "lead", verdict(evaluation, context)), tableCard(kindTable(evaluation, context)),
+                    element("div", "paths",
+                            cat(card("Position error", errorOverTimeFigure(evaluation, ErrorChannel::position)),
+                                card("Heading error", errorOverTimeFigure(evaluation, ErrorChannel::heading)),
+                                card("What was driven", drivenFigure(evaluation.log, context)))),
+                    errorOverTimeLegend(evaluation),
+                    context.unfamiliar.empty()
+                        ? ""
+                        : legend(cat(dotEntry("sample", "a window"),
+                                     dotEntry("leaves", cat("more than ", fixed(100 * muchUnfamiliar, 0),
+                                                            " % of it driven as the network was never learned")))),
+                    context.advice ? adviceCard(*context.advice) : "")));
 }
 
 }  // namespace mrose

@@ -7,6 +7,7 @@
 #include "io/format.h"
 #include "motion/driving_reader.h"
 #include "motion/kinematic_baselines.h"
+#include "workflow/advise_drive.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
 #include "workflow/version.h"
@@ -162,6 +163,19 @@ private:
     bool alone_ = false;
 };
 
+/// What to drive next, beside this log; what keeps it from being said is said.
+DriveAdvice adviceFor(const EvaluateRequest& request, const Progress& progress) {
+    const auto advice = advise({.network = request.network, .logs = {request.log}, .robots = request.robots}, progress);
+    if (!advice) return {{}, {}, {}, advice.error().message()};
+    DriveAdvice said{
+        fixed(advice->drive.duration, 0) + " s, in " + spaceText(advice->drive) + ", " + limitsText(advice->limits),
+        {},
+        "mrose advise " + request.network + " --log " + request.log + " -o next.csv",
+        {}};
+    for (const AdviceReason& reason : advice->reasons) said.reasons.push_back(reasonText(*advice, reason));
+    return said;
+}
+
 /// The part of `progress` from one share to another.
 Progress partOf(const Progress& progress, double from, double to) {
     if (!progress) return {};
@@ -205,7 +219,7 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
     auto evaluation = evaluate(*log, views, options, partOf(progress, 0, 0.5));
     if (!evaluation) return tl::unexpected(evaluation.error());
     const NoiseModels noise(networks, models, *log, request.samples);
-    auto forecasts = forecast(*log, evaluation->log, noise.sampled(), partOf(progress, 0.5, 1));
+    auto forecasts = forecast(*log, evaluation->log, noise.sampled(), partOf(progress, 0.5, 0.9));
     if (!forecasts) return tl::unexpected(forecasts.error());
     evaluation->forecasts = std::move(*forecasts);
     auto chosen = chosenWindows(request.shown, evaluation->log.windows.size());
@@ -214,8 +228,12 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
     context.notices = noticesOf(*log);
     for (std::string& notice : noticesOf(network, *log, request.heldOut)) context.notices.push_back(std::move(notice));
     context.chosen = std::move(*chosen);
-    std::vector<double> unfamiliar = unfamiliarShares(network, *log, evaluation->log);
-    return NetworkEvaluation{std::move(*evaluation), std::move(context), std::move(unfamiliar)};
+    context.unfamiliar = unfamiliarShares(network, *log, evaluation->log);
+    if (request.withAdvice) {
+        context.advice = adviceFor(request, partOf(progress, 0.9, 1));
+        if (!mayGoOn(progress, 1)) return fail("", "the evaluation was ended before its end");
+    }
+    return NetworkEvaluation{std::move(*evaluation), std::move(context)};
 }
 
 }  // namespace mrose

@@ -17,6 +17,7 @@ struct EvaluateRequest {
     double horizon = 10;                    ///< of a window, s
     bool heldOut = false;                   ///< only the part of the log that was kept from learning
     bool withFloor = true;
+    bool withAdvice = false;              ///< what to drive next, for a report
     int samples = 64;                     ///< rollouts of each window by which a noise is judged
     std::vector<std::size_t> shown = {};  ///< windows whose paths a report shows too, by number from 1
     std::string command = {};             ///< what a report says that it was made by
@@ -26,9 +27,6 @@ struct EvaluateRequest {
 struct NetworkEvaluation {
     Evaluation evaluation;
     ReportContext context;
-    /// By window the share of its periods in which the robot was driven as the network was never learned; empty: it
-    /// does not say where it was.
-    std::vector<double> unfamiliar;
 };
 
 /// Opens log and networks, and evaluates them and the kinematic baselines. Error: a file; a window that is not there;

@@ -3,9 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/error.h"
-#include "io/progress.h"
-#include "report/sheet.h"
+#include "workflow/evaluate_network.h"
 
 namespace mrose {
 
@@ -19,8 +17,8 @@ struct SheetRequest {
     std::string command = {};              ///< what the page says that it was made by
 };
 
-/// Evaluates the network on the log, says where it was driven as it was never learned, and what to drive next, and
-/// writes the page. Error: as of evaluateNetwork(); the page cannot be written; it was cancelled.
-Expected<Sheet> writeSheet(const SheetRequest& request, const Progress& progress = {});
+/// Evaluates the network on the log and writes the page. Error: as of evaluateNetwork(); the page cannot be written; it
+/// was cancelled.
+Expected<NetworkEvaluation> writeSheet(const SheetRequest& request, const Progress& progress = {});
 
 }  // namespace mrose

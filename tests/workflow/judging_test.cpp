@@ -2,14 +2,17 @@
 #include <algorithm>
 #include <sstream>
 
+#include "io/file.h"
 #include "logs/csv_writer.h"
 #include "logs/log_reader.h"
+#include "report/sheet.h"
 #include "support/places.h"
 #include "support/workshop.h"
 #include "workflow/compare_log.h"
 #include "workflow/evaluate_network.h"
 #include "workflow/expect_error.h"
 #include "workflow/predict_windows.h"
+#include "workflow/sim_to_real_sheet.h"
 
 namespace mrose {
 namespace {
@@ -48,6 +51,21 @@ TEST_F(Judging, EvaluationIsEndedByItsProgress) {
     });
     EXPECT_FALSE(judged);
     EXPECT_LT(most, 1);
+}
+
+TEST_F(Judging, SheetIsOnePageThatIsNotWrittenOverAnother) {
+    SheetRequest request{network(), log()};
+    request.output = path("sheet.html");
+    const auto sheet = writeSheet(request);
+    ASSERT_TRUE(sheet) << sheet.error().message();
+    EXPECT_EQ(*readFile(request.output), sheetHtml(sheet->evaluation, sheet->context));
+    expectError(writeSheet(request), request.output, {"is there already"});
+    request.overwrite = true;
+    EXPECT_FALSE(writeSheet(request, [](double) { return false; }));
+    EXPECT_EQ(*readFile(request.output), sheetHtml(sheet->evaluation, sheet->context)) << "nothing is lost";
+    EXPECT_TRUE(writeSheet(request));
+    request.network = path("none.net");
+    expectError(writeSheet(request), request.network, {});
 }
 
 TEST_F(Judging, WindowsArePredictedStepByStep) {

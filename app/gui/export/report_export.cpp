@@ -88,6 +88,7 @@ Expected<void> exportReport(const Exports& exports, EvaluateRequest request, con
     const std::string path = folder.toStdString();
     if (auto can = freeFolder(checkReportFolder(path, overwrite)); !can) return can;
     request.command = commandOf(request, path);
+    request.withAdvice = true;
     return exportInBackground(
         exports, {QObject::tr("Evaluating %1").arg(qtText(request.network)), pageIn(folder)},
         [request, path](const Progress& progress) {
