@@ -26,7 +26,7 @@ void printJson(const Advice& advice, const AdviseRequest& request) {
                                    {"seconds", reason.seconds},
                                    {"unfamiliar", drive.familiarKnown ? nlohmann::json(reason.unfamiliar) : nullptr},
                                    {"disagreement", drive.membersKnown ? nlohmann::json(reason.doubt) : nullptr}});
-    std::puts(json.dump(2).c_str());
+    std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 void print(const Advice& advice, const AdviseRequest& request) {

@@ -66,7 +66,7 @@ void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags) {
 void printDivergences(const Comparison& comparison, const ComparedDivergences& divergences) {
     std::printf("\n%s\n", boundText(divergences).c_str());
     if (divergences.rollouts.empty()) {
-        std::puts(divergences.source == BoundSource::noise
+        std::puts(divergences.source == BoundSource::noise && divergences.ofAll
                       ? "No robot leaves the real trajectory: all stay within what such robots differ from themselves."
                       : "No robot leaves the real trajectory.");
         return;

@@ -200,7 +200,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
             ->check(someName());
     flags->ofMotion.push_back(
         sub->add_option("--samples", flags->what.samples, "Of motion with noise: rollouts of each window that judge it")
-            ->check(numberRange(2, 4096))
+            ->check(CLI::Range(19, 4096))
             ->capture_default_str());
     flags->ofMotion.push_back(sub->add_option("--show", flags->what.shown,
                                               "Of motion: windows whose paths the report shows too, by number: 12,40")

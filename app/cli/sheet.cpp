@@ -20,7 +20,7 @@ int runSheet(SheetRequest request, const CommonFlags& common) {
     if (!sheet) return report(sheet.error());
     if (common.json)
         std::puts(nlohmann::json{{"sheet", request.output}, {"windows", sheet->evaluation.log.windows.size()}}
-                      .dump(2)
+                      .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
                       .c_str());
     else if (!common.quiet)
         std::printf("%s: one page on %s\n", request.output.c_str(),

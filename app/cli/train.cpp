@@ -123,7 +123,8 @@ void addHow(CLI::App& sub, TrainFlags& flags) {
            "Networks, each learned with another part of the logs held out, whose mean is saved as one; default 4 "
            "(velocity: 8, state and paper: 1)")
         ->check(CLI::Range(1, 64));
-    sub.add_option("--folds", flags.request.folds, "Parts that the logs are divided into, held out in turn")
+    sub.add_option("--folds", flags.request.folds,
+                   "Parts that the logs are divided into, held out in turn; of a kicker 5 unless given")
         ->check(CLI::Range(2, 64))
         ->capture_default_str();
     sub.add_option("--epochs", flags.request.epochs, "At most so many epochs; default: the model's")

@@ -97,6 +97,7 @@ class Judge {
 public:
     Judge(const LogWindows& log, const SampledModel& model) : log_(log), instants_(forecastInstants(log)) {
         forecast_.name = model.noisy.name;
+        forecast_.model = model.model;
         forecast_.samples = model.samples;
         for (const std::size_t instant : instants_)
             forecast_.at.emplace_back().time = static_cast<Nanoseconds>(instant) * log.options.step;

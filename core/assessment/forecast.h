@@ -38,6 +38,7 @@ struct ForecastAt {
 /// What sampled rollouts of all windows are worth. All scores are proper: who knows more, and says how much, has less.
 struct Forecast {
     std::string name;
+    std::size_t model = 0;       ///< of its mean: in Evaluation::models
     int samples = 0;             ///< of each window; 1: the mean alone, whose energy score is its mean error
     std::vector<ForecastAt> at;  ///< after 1/10, 1/5, 1/2 and all of the longest window
     double moves = 0;            ///< m: sum of the energy scores of the displacements from one of these instants to
@@ -55,7 +56,8 @@ struct Forecast {
 /// A model whose noise is drawn, and the mean that it strays from, both indexed as NamedModel.
 struct SampledModel {
     NamedModel noisy, mean;
-    int samples = 64;  ///< 1: of the mean alone
+    std::size_t model = 0;  ///< Forecast::model
+    int samples = 64;       ///< 1: of the mean alone
 };
 
 /// Judges `models` on the windows. Sample k of a window is the robot's own trajectory in a run with seed k that begins

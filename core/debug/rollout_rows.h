@@ -67,7 +67,6 @@ Expected<Comparison> compareRollouts(const PlayedLog& log, const std::vector<Rol
 struct CauseQuestion {
     RolloutRequest request;
     RolloutRow row;
-    DivergenceOptions bounds;
     std::vector<OtherModel> models;
 };
 /// Error: as of compare() and diagnose().

@@ -90,6 +90,13 @@ BoundSource boundSource(const LogWorld& world) {
     return most;
 }
 
+BoundSource leastBoundSource(const LogWorld& world) {
+    BoundSource least = BoundSource::noise;
+    for (std::size_t robot = 0; robot < world.robots().size(); ++robot)
+        least = std::min(least, sourceOf(networkOf(world, robot)));
+    return least;
+}
+
 std::optional<DivergenceBound> networkBound(const LogWorld& world, const RolloutRequest& request,
                                             const ComparedRollout& rollout, Nanoseconds step, Nanoseconds held) {
     const MotionNetwork* const network = networkOf(world, rollout.robot);
@@ -101,6 +108,7 @@ std::optional<DivergenceBound> networkBound(const LogWorld& world, const Rollout
     }
     DivergenceBound bound = heldOutBound(network->heldOut, rollout, step);
     bound.held = held;
+    bound.source = source;
     return bound;
 }
 
@@ -109,7 +117,10 @@ Expected<ComparedDivergences> divergencesOf(const LogWorld& world, const Compari
     const Nanoseconds step = comparison.log.options.step;
     ComparedDivergences found;
     found.bound = options.bound;
-    if (options.fromNetwork) found.source = boundSource(world);
+    if (options.fromNetwork) {
+        found.source = boundSource(world);
+        found.ofAll = found.source == leastBoundSource(world);
+    }
     const std::vector<std::optional<DivergenceBound>> all = boundsOf(world, comparison, options);
     std::vector<DivergenceBound> bounds;
     for (std::size_t i = 0; i < comparison.rollouts.size(); ++i) {

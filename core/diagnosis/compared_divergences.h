@@ -8,13 +8,6 @@
 
 namespace mrose {
 
-/// What bounds are made of; the later ones say more.
-enum class BoundSource {
-    constant,
-    heldOut,  ///< heldOutBound(): of networks that know how far they were off in learning
-    noise     ///< noiseBound(): of networks that know their noise
-};
-
 /// Which divergences of a comparison are looked for, and why.
 struct DivergenceOptions {
     DivergenceBound bound{};  ///< the constants, and for how long
@@ -39,6 +32,7 @@ struct ComparedDivergences {
     DivergenceBound bound;  ///< the constants
     /// Of a robot at least; the others' bounds are made of what their networks know, or of the constants.
     BoundSource source = BoundSource::constant;
+    bool ofAll = true;                        ///< every compared robot's is made of that
     std::vector<RolloutDivergence> rollouts;  ///< those that diverge, as in Comparison::rollouts
     struct Summary {
         std::size_t rollouts = 0, diverging = 0;  ///< rollouts: those that were simulated
@@ -59,6 +53,8 @@ constexpr std::size_t shownDivergences = 5;
 
 /// The most that a network of any of the robots knows.
 BoundSource boundSource(const LogWorld& world);
+/// The least.
+BoundSource leastBoundSource(const LogWorld& world);
 
 /// The bound that the network of a rollout's robot makes; nullopt: it has none, or one that knows nothing of real runs.
 /// `request` is what the rollout was driven of.

@@ -10,6 +10,13 @@
 
 namespace mrose {
 
+/// What bounds are made of; the later ones say more.
+enum class BoundSource {
+    constant,
+    heldOut,  ///< heldOutBound(): of networks that know how far they were off in learning
+    noise     ///< noiseBound(): of networks that know their noise
+};
+
 /// How far a simulated robot may be from the real one. Beyond either bound for `held`, it has left the real trajectory.
 struct DivergenceBound {
     struct At {
@@ -22,6 +29,7 @@ struct DivergenceBound {
     /// Instead of the constant: of the instants after each step of the rollout, as WindowErrors has them; the last one
     /// holds for all that follow. Empty: the constant.
     std::vector<At> bySteps;
+    BoundSource source = BoundSource::constant;
 
     /// After `k` + 1 steps.
     const At& at(std::size_t k) const {

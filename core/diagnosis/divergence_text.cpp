@@ -102,7 +102,8 @@ std::string boundText(const ComparedDivergences& divergences, const std::string&
     const std::string leaves = "A robot leaves the " + real + " trajectory where it is off by more than ";
     const std::string held = " for " + secondsText(divergences.bound.held) + " s.";
     if (divergences.source == BoundSource::noise)
-        return leaves + "99 of 100 runs of such a robot stray from their mean, by the noise of its network," + held;
+        return leaves + "99 of 100 runs of such a robot stray from their mean, by the noise of its network," + held +
+               (divergences.ofAll ? "" : " Robots whose networks do not know it are judged by less.");
     if (divergences.source == BoundSource::heldOut)
         return leaves + "three times what its network's held-out errors make of the path and rotation so far," + held;
     return leaves + centimetres(divergences.bound.constant.position) + " or " +

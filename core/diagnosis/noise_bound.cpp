@@ -31,8 +31,8 @@ std::vector<std::vector<At>> deviationsOf(const LearnedModel& model, const Rollo
     return deviations;
 }
 
-/// Root mean square of all runs, by step.
-std::vector<At> usual(const std::vector<std::vector<At>>& deviations) {
+/// Root mean square of all runs and the floor, by step.
+std::vector<At> usual(const std::vector<std::vector<At>>& deviations, const At& floor) {
     std::vector<At> sums(deviations.front().size());
     for (const std::vector<At>& run : deviations)
         for (std::size_t k = 0; k < run.size(); ++k) {
@@ -40,7 +40,9 @@ std::vector<At> usual(const std::vector<std::vector<At>>& deviations) {
             sums[k].heading += run[k].heading * run[k].heading;
         }
     const auto count = static_cast<double>(deviations.size());
-    for (At& sum : sums) sum = {std::sqrt(sum.position / count), std::sqrt(sum.heading / count)};
+    for (At& sum : sums)
+        sum = {std::sqrt(sum.position / count + floor.position * floor.position),
+               std::sqrt(sum.heading / count + floor.heading * floor.heading)};
     return sums;
 }
 
@@ -79,9 +81,10 @@ DivergenceBound noiseBound(const LearnedModel& model, const Trajectory& trajecto
                              static_cast<int>(rollout.simulated.size())};
     DivergenceBound bound;
     bound.held = held;
+    bound.source = BoundSource::noise;
     const std::vector<std::vector<At>> deviations = deviationsOf(model, start, options.runs, step);
     if (start.steps == 0 || deviations.empty()) return bound;
-    const std::vector<At> normally = usual(deviations);
+    const std::vector<At> normally = usual(deviations, options.floor);
     std::vector<double> times;
     for (const std::vector<At>& run : deviations)
         times.push_back(timesHeld(run, normally, static_cast<std::size_t>((held + step - 1) / step) + 1));

@@ -6,8 +6,11 @@
 namespace mrose {
 
 struct NoiseBoundOptions {
-    int runs = 96;
+    int runs = 128;
     double leaving = 0.01;  ///< share of such a robot's own runs that are beyond the bound somewhere
+    /// What is added to how far runs stray, in squares: else the first instants, at which hardly any do, would make the
+    /// bound wide later on.
+    DivergenceBound::At floor{0.005, std::numbers::pi / 180};
     /// What a tracker's noise and the measured start may make of the first instants.
     DivergenceBound::At least{0.01, 1.5 * std::numbers::pi / 180};
 };

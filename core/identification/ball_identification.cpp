@@ -6,6 +6,7 @@
 
 #include "geometry/nearest_point.h"
 #include "identification/robust_statistics.h"
+#include "io/format.h"
 #include "logs/pose_grid.h"
 
 namespace mrose {
@@ -162,7 +163,7 @@ BallEstimate meanOfEvents(std::span<const double> values, std::span<const double
             kept.emplace_back(values[i], errors[i] * errors[i]);
     estimate.events = kept.size();
     if (kept.size() < fewest) {
-        estimate.reason = "only " + std::to_string(kept.size()) + " events; it needs " + std::to_string(fewest);
+        estimate.reason = "only " + counted(kept.size(), "event") + "; it needs " + std::to_string(fewest);
         return estimate;
     }
     const auto weighted = [&](double between) {

@@ -111,7 +111,7 @@ private:
             found.hit->speed = length(left->after);
             found.hit->direction = wrapAngle(direction(left->after) - pose.heading);
         }
-        found_.push_back(std::move(found));
+        found_.push_back(found);
     }
 
     /// As it is if the kick acts then; nullopt where the robot is not tracked.

@@ -112,9 +112,11 @@ std::optional<PathFit> fitChangingPath(std::span<const TrackedPoint> points, dou
         const std::size_t next = std::min(i + stride, points.size() - 1);
         if (found < least) best = change, least = found, step = points[next].time - points[i].time;
     }
-    for (; step > 1e-4; step /= 2)
+    while (step > 1e-4) {
         for (const double change : {best - step / 2, best + step / 2})
             if (const double found = squares(change); found < least) best = change, least = found;
+        step /= 2;
+    }
     const double freedom = static_cast<double>(2 * points.size()) - 9;
     if (freedom < 1) return std::nullopt;
     const double variance = std::max(noise * noise, least / freedom);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -50,7 +51,7 @@ public:
     template <class Each>
     void drive(const DrivePiece& manoeuvre, Each each) {
         const double period = toSeconds(motion_->network().period);
-        const int periods = std::max(1, static_cast<int>(manoeuvre.duration / period + 0.5));
+        const int periods = std::max(1, static_cast<int>(std::lround(manoeuvre.duration / period)));
         for (int i = 0; i < periods; ++i) {
             now_.commands.issue(now_.start, commandAt(manoeuvre, i * period));
             each(now_);

@@ -17,9 +17,11 @@ std::string keyLine(const std::string& key, const BallEstimate& of, const std::s
     return key + " = " + fixed(of.value, 4) + "  # " + errorText(of) + more + '\n';
 }
 
-std::string surfaceLine(const BallEstimate& of) {
+/// `before` the line where it is one of another file.
+std::string surfaceLine(const BallEstimate& of, const std::string& before = {}) {
     if (!of.identified) return "# surface = { restitution }: not identified: " + of.reason + '\n';
-    return "surface = { restitution = " + fixed(std::clamp(of.value, 0.0, 1.0), 4) + " }  # " + errorText(of) + '\n';
+    return before + "surface = { restitution = " + fixed(std::clamp(of.value, 0.0, 1.0), 4) + " }  # " + errorText(of) +
+           '\n';
 }
 
 /// Of the ball: the smaller one.
@@ -54,8 +56,8 @@ std::string ballKeysText(const BallIdentification& found, const std::string& sou
                     ", at " + fixed(found.rollingSpeed, 2) + " m/s in the mean");
     text += "\n# Of a scenario: the ball. Where two surfaces touch, the larger restitution counts.\n[[object]]\n";
     text += keyLine("inertia", found.inertia) + surfaceLine(ownRestitution(found));
-    text += "\n# Of the robots' files:\n# ";
-    return text + surfaceLine(found.robotRestitution);
+    text += "\n# Of the robots' files:\n";
+    return text + surfaceLine(found.robotRestitution, "# ");
 }
 
 std::vector<std::string> ballNotes(const BallIdentification& found) {
@@ -104,7 +106,7 @@ std::string ballJson(const BallIdentification& found, const std::string& source)
     add("inertia", found.inertia);
     add("wall_restitution", found.wallRestitution);
     add("robot_restitution", found.robotRestitution);
-    return json.dump(2);
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace mrose

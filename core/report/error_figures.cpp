@@ -93,7 +93,7 @@ std::string modelLegend(const Evaluation& evaluation) {
 
 bool foreseesErrors(const Evaluation& evaluation) {
     return !evaluation.forecasts.empty() && evaluation.forecasts.front().samples > 1 &&
-           evaluation.forecasts.front().name == evaluation.models.front().name;
+           evaluation.forecasts.front().model == 0;
 }
 
 std::string errorOverTimeLegend(const Evaluation& evaluation) {

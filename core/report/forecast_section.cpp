@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/format.h"
+#include "report/error_figures.h"
 #include "report/legend.h"
 #include "report/page.h"
 #include "report/share_plot.h"
@@ -99,7 +100,7 @@ std::string forecastLegend(const Evaluation& evaluation) {
 }  // namespace
 
 std::string forecastHeadline(const Evaluation& evaluation) {
-    if (evaluation.forecasts.empty() || evaluation.forecasts.front().name != evaluation.models.front().name) return {};
+    if (!foreseesErrors(evaluation)) return {};
     const Forecast& forecast = evaluation.forecasts.front();
     return cat(" Of where the robot is to be expected it says the central 50 and 90\u00a0%: ",
                fixed(insideOf(forecast, 0.5), 0), " and ", fixed(insideOf(forecast, 0.9), 0), "\u00a0% of what the ",

@@ -67,7 +67,7 @@ std::string adviceCard(const DriveAdvice& advice) {
     std::string list;
     for (const std::string& reason : advice.reasons) list += element("li", "", escaped(reason));
     return card("What to drive next",
-                cat(paragraph(cat("The network would learn most from ", escaped(advice.drive), ":")),
+                cat(paragraph(cat("Beside this log the network would learn most from ", escaped(advice.drive), ":")),
                     element("ul", "", list), paragraph(cat("<code>", escaped(advice.command), "</code>"))));
 }
 

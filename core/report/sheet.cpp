@@ -119,8 +119,7 @@ std::string drivenFigure(const LogWindows& log, const ReportContext& context) {
         places.push_back({window.path / time, degrees * window.rotation / time});
         most = {std::max(most.x, places.back().x), std::max(most.y, places.back().y)};
     }
-    SvgPlot plot({.width = 350, .height = 250}, {0, 1.06 * most.x}, {0, 1.06 * most.y},
-                 "Windows by mean speed and mean turn rate");
+    SvgPlot plot({}, {0, 1.06 * most.x}, {0, 1.06 * most.y}, "Windows by mean speed and mean turn rate");
     plot.axes("mean speed (m/s)", "mean turn rate (°/s)");
     for (const bool doubted : {false, true})
         for (std::size_t i = 0; i < places.size(); ++i)

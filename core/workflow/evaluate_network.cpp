@@ -5,6 +5,7 @@
 
 #include "identification/held_out_part.h"
 #include "io/format.h"
+#include "io/shell_quoted.h"
 #include "motion/driving_reader.h"
 #include "motion/kinematic_baselines.h"
 #include "workflow/advise_drive.h"
@@ -115,11 +116,13 @@ std::vector<double> unfamiliarShares(const MotionNetwork& network, const Log& lo
     return shares;
 }
 
+std::string robotList(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& one : names) text += (text.empty() ? "" : ",") + one;
+    return text;
+}
+
 std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
-
-}  // namespace
-
-namespace {
 
 /// The networks whose noise is judged, beside the mean alone and the constant noise of the first.
 class NoiseModels {
@@ -142,11 +145,11 @@ public:
 
     std::vector<SampledModel> sampled() const {
         std::vector<SampledModel> models;
-        for (const auto& [noisy, mean] : noisy_) models.push_back({named(noisy), named(means_[mean]), samples_});
+        for (const auto& [noisy, mean] : noisy_) models.push_back({named(noisy), named(means_[mean]), mean, samples_});
         if (alone_) {
             NamedModel mean = named(means_.front());
             mean.name += ", its mean alone";
-            models.push_back({mean, mean, 1});
+            models.push_back({mean, mean, 0, 1});
         }
         return models;
     }
@@ -170,14 +173,15 @@ DriveAdvice adviceFor(const EvaluateRequest& request, const Progress& progress) 
     DriveAdvice said{
         fixed(advice->drive.duration, 0) + " s, in " + spaceText(advice->drive) + ", " + limitsText(advice->limits),
         {},
-        "mrose advise " + request.network + " --log " + request.log + " -o next.csv",
+        "mrose advise " + shellQuoted(request.network) + " --log " + shellQuoted(request.log) +
+            (request.robots.empty() ? "" : " --robots " + shellQuoted(robotList(request.robots))) + " -o next.csv",
         {}};
     for (const AdviceReason& reason : advice->reasons) said.reasons.push_back(reasonText(*advice, reason));
     return said;
 }
 
 /// The part of `progress` from one share to another.
-Progress partOf(const Progress& progress, double from, double to) {
+Progress stretchOf(const Progress& progress, double from, double to) {
     if (!progress) return {};
     return [progress, from, to](double share) { return progress(from + (to - from) * share); };
 }
@@ -216,10 +220,10 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
     EvaluationOptions options;
     options.windows.horizon = fromSeconds(request.horizon);
     options.withFloor = request.withFloor;
-    auto evaluation = evaluate(*log, views, options, partOf(progress, 0, 0.5));
+    auto evaluation = evaluate(*log, views, options, stretchOf(progress, 0, 0.5));
     if (!evaluation) return tl::unexpected(evaluation.error());
     const NoiseModels noise(networks, models, *log, request.samples);
-    auto forecasts = forecast(*log, evaluation->log, noise.sampled(), partOf(progress, 0.5, 0.9));
+    auto forecasts = forecast(*log, evaluation->log, noise.sampled(), stretchOf(progress, 0.5, 0.9));
     if (!forecasts) return tl::unexpected(forecasts.error());
     evaluation->forecasts = std::move(*forecasts);
     auto chosen = chosenWindows(request.shown, evaluation->log.windows.size());
@@ -230,7 +234,7 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
     context.chosen = std::move(*chosen);
     context.unfamiliar = unfamiliarShares(network, *log, evaluation->log);
     if (request.withAdvice) {
-        context.advice = adviceFor(request, partOf(progress, 0.9, 1));
+        context.advice = adviceFor(request, stretchOf(progress, 0.9, 1));
         if (!mayGoOn(progress, 1)) return fail("", "the evaluation was ended before its end");
     }
     return NetworkEvaluation{std::move(*evaluation), std::move(context)};

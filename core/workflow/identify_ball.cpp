@@ -27,7 +27,7 @@ Expected<std::vector<ConvexPiece>> obstaclesOf(const std::string& file) {
 }  // namespace
 
 Expected<BallIdentification> identifyBall(const IdentifyBallRequest& request, const Progress& progress) {
-    std::vector<std::string> inputs{request.log};
+    std::vector<std::string> inputs{placeOfLog(request.log)};
     if (!request.environment.empty()) inputs.push_back(request.environment);
     if (!request.output.empty())
         if (auto can = checkOutput(request.output, inputs, request.overwrite); !can) return tl::unexpected(can.error());

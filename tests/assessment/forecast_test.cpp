@@ -36,7 +36,7 @@ protected:
 
     Forecast forecastWith(const MotionNoise& noise, int samples = 40) const {
         const NoisyModel noisy(mean_, noise);
-        const SampledModel model{NamedModel::same("noisy", noisy), NamedModel::same("mean", *mean_), samples};
+        const SampledModel model{NamedModel::same("noisy", noisy), NamedModel::same("mean", *mean_), 0, samples};
         return forecast(log_, windows_, {&model, 1})->front();
     }
 
@@ -116,7 +116,7 @@ TEST_F(ForecastTest, ForeseesHowFarTheMeanIsOff) {
 }
 
 TEST_F(ForecastTest, OfTheMeanAloneTheScoreIsItsError) {
-    const SampledModel model{NamedModel::same("mean", *mean_), NamedModel::same("mean", *mean_), 1};
+    const SampledModel model{NamedModel::same("mean", *mean_), NamedModel::same("mean", *mean_), 0, 1};
     const Forecast alone = forecast(log_, windows_, {&model, 1})->front();
     const std::vector<NamedModel> means{NamedModel::same("mean", *mean_)};
     EXPECT_NEAR(alone.at.back().energy, evaluate(log_, means)->models.front().all.positionFinal.mean, 1e-9);
@@ -126,7 +126,7 @@ TEST_F(ForecastTest, OfTheMeanAloneTheScoreIsItsError) {
 
 TEST_F(ForecastTest, EndsWhenItIsToldAndNamesAModelThatDoesNotKnowARobot) {
     const NoisyModel noisy(mean_, straying);
-    SampledModel model{NamedModel::same("noisy", noisy), NamedModel::same("mean", *mean_), 4};
+    SampledModel model{NamedModel::same("noisy", noisy), NamedModel::same("mean", *mean_), 0, 4};
     EXPECT_FALSE(forecast(log_, windows_, {&model, 1}, [](double) { return false; }));
     model.noisy.forRobot = [](const std::string&) { return nullptr; };
     const auto none = forecast(log_, windows_, {&model, 1});

@@ -32,7 +32,7 @@ Sheet madeSheet(double strayed = 0.2) {
     const std::vector<NamedModel> models{NamedModel::same("mine.net", *mean)};
     Sheet sheet{*evaluate(log, models), {}};
     sheet.context.advice = DriveAdvice{{}, {}, {}, "no logs"};
-    const SampledModel sampled{NamedModel::same("mine.net", noisy), models.front(), 20};
+    const SampledModel sampled{NamedModel::same("mine.net", noisy), models.front(), 0, 20};
     sheet.evaluation.forecasts = *forecast(log, sheet.evaluation.log, {&sampled, 1});
     sheet.context.unfamiliar.assign(sheet.evaluation.log.windows.size(), 0.0);
     return sheet;

@@ -25,8 +25,7 @@ void CauseFinder::find() {
     };
     diagnosing_.run(
         [&queue = diagnosing_, log = rollouts_.log(), laidOver = models_.all(), report,
-         question = CauseQuestion{rollouts_.requests()[row->rollout], *row, rollouts_.divergenceOptions(), {}}](
-            const GoesOn& goesOn) {
+         question = CauseQuestion{rollouts_.requests()[row->rollout], *row, {}}](const GoesOn& goesOn) {
             CauseQuestion asked = question;
             asked.models = causeModels(*log, laidOver);
             return whyItLeaves(*log, asked, queue.progress(goesOn, report));

@@ -243,7 +243,7 @@ void CausePanel::refresh() {
     why_->setVisible(whyOf_.lock() == overlay_.rollouts().log());
     if (!divergence)
         divergence_->setText(!row->position ? QString()
-                             : learned_->isChecked() && row->learned
+                             : row->bound.source == BoundSource::noise
                                  ? tr("It stays within what such robots differ from themselves.")
                                  : tr("It stays within the bound."));
     else

@@ -122,6 +122,7 @@ void FieldBands::sample(const OfTick& wish, std::shared_ptr<const FieldFrame> fr
         return sampled;
     };
     sampling_.run(work, [this](Expected<Sampled> sampled) {
+        if (!pending_) return;
         known_ = *std::exchange(pending_, std::nullopt);
         if (!sampled || !sampled->bands) return;
         sampler_ = sampled->by;
