@@ -149,9 +149,7 @@ TEST(LogDebugging, ProgramOfThirtyLinesFindsWhereAndWhy) {
     const std::string& name = compared.rollouts.world().robots()[row->robot].name;
     EXPECT_THAT(result.out, HasSubstr(name + " leaves the real trajectory"));
     const auto why = whyItLeaves(*compared.log.world,
-                                 {compared.log.requests[row->rollout], *row, compared.rollouts.divergenceOptions(),
-                                  causeModels(*compared.log.world, {})},
-                                 {});
+                                 {compared.log.requests[row->rollout], *row, causeModels(*compared.log.world, {})}, {});
     ASSERT_TRUE(why) << why.error().message();
     EXPECT_THAT(result.out, HasSubstr('\n' + causeText(*why) + '\n'));
     EXPECT_THAT(result.out, HasSubstr(name + ": 0.00 m/s"));

@@ -25,8 +25,7 @@ int main(int count, char** words) {
     debugger.breakpoints().setDivergence({leavesReality(leaving), whoLeaves(leaving)});
     debugger.breakpoints().add({.text = "divergence"});
     debugger.goToBreak({});
-    const auto why =
-        whyItLeaves(*log->world, {request, *row, rollouts.divergenceOptions(), causeModels(*log->world, {})}, {});
+    const auto why = whyItLeaves(*log->world, {request, *row, causeModels(*log->world, {})}, {});
     std::printf("%s\n%s\n", debugger.message().c_str(), why ? causeText(*why).c_str() : why.error().cause.c_str());
     debugger.stepBy(-50);
     const Scene& scene = debugger.run().setup().scene();
