@@ -106,7 +106,7 @@ private:
         const double approach = -dot(in, normal), parting = dot(out, normal);
         if (approach < slowestTouch) return;
         const double ratio = parting / approach;
-        const double error = std::hypot(event.afterError, ratio * event.beforeError) / approach;
+        const double error = length(Point{event.afterError, ratio * event.beforeError}) / approach;
         if (error > largestDoubt) return;
         (surface->robot ? robots_ : walls_).add(ratio, error);
     }

@@ -181,8 +181,8 @@ private:
     static bool slides(const PathFit& fit) {
         if (!fit.changes) return false;
         const PathFit::Parameters& p = fit.parameters;
-        return std::hypot(p[PathFit::first], p[PathFit::first + 1]) >
-               1.5 * std::hypot(p[PathFit::second], p[PathFit::second + 1]);
+        return length(Point{p[PathFit::first], p[PathFit::first + 1]}) >
+               1.5 * length(Point{p[PathFit::second], p[PathFit::second + 1]});
     }
 
     void addRolls(const Stretch& stretch, double from) {
@@ -245,7 +245,7 @@ private:
 
     void addSlide(const PathFit& path, double time) {
         BallSlide slide{.event = found_.events.size()};
-        const auto deceleration = [](const auto& p) { return std::hypot(p[PathFit::first], p[PathFit::first + 1]); };
+        const auto deceleration = [](const auto& p) { return length(Point{p[PathFit::first], p[PathFit::first + 1]}); };
         const auto duration = [&](const auto& p) { return p[PathFit::change] - (time - path.begin); };
         const auto kept = [&](const auto& p) {
             return length(path.velocityAt(p, path.begin + p[PathFit::change])) / length(path.velocityAt(p, time));

@@ -12,4 +12,6 @@ if reality("divergence") then
     if reality("explained") then
         say("the best of the re-runs explains", floor(100 * reality("explained") + 0.5), "% of it")
     end
+else
+    say("does not leave the real trajectory")
 end

@@ -209,7 +209,7 @@ TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealTrajectoryAndWhy) {
     for (const char* part :
          {"A robot leaves the real trajectory where it is off by more than 2.0 cm or 3.0° for 0.3 s.",
           "twin: leaves the real trajectory after ", "  likely cause: ", "tried", "explains", "dead time ",
-          "velocity at the start ", "no more than the network's held-out error",
+          "velocity at the start ", "no more than such robots differ from themselves",
           "motion model velocity = command + lag, gains, biases"})
         EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;
     const Json said = result(with(one, tight))["divergence"];

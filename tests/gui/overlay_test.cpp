@@ -388,6 +388,7 @@ TEST_F(MrclamOverlayTest, WorstWindowLeavesTheRealTrajectoryForAReason) {
     EXPECT_EQ(overlay.rollouts().world().robots().size(), 5u);
     const Comparison alone = comparedAlone(overlay);
     EXPECT_EQ(overlay.rollouts().comparison()->all.counted.p, alone.all.counted.p);
+    overlay.setBound({{0.03, 0.1}, false});
     clickLine(0);
     ASSERT_TRUE(overlay.rollouts().shownRow());
     EXPECT_EQ(overlay.rollouts().shownRow()->position, knownMean(alone.rollouts[worstFirst(alone).front()]));

@@ -100,7 +100,7 @@ TEST(ShippedScripts, RealLogIsPictured) {
                                                   (sourceFolder() / "resources/scripts/real_log.lua").string(), "--log",
                                                   (sourceFolder() / "resources/logs/pioneer").string()});
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_NE(result.out.find("leaves the real trajectory after "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("is off by "), std::string::npos) << result.out;
     EXPECT_NE(result.err.find("from a simulated robot"), std::string::npos) << result.err;
     EXPECT_EQ(QImage((folder.path() / "reality.png").c_str()).size(), QSize(1280, 800));
 }
