@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "common.h"
+#include "report/evaluation_files.h"
 #include "workflow/resources.h"
 #include "workflow/sim_to_real_sheet.h"
 
@@ -19,9 +20,7 @@ int runSheet(SheetRequest request, const CommonFlags& common) {
     if (!sheet && wasInterrupted()) return reportInterrupted();
     if (!sheet) return report(sheet.error());
     if (common.json)
-        std::puts(nlohmann::json{{"sheet", request.output}, {"windows", sheet->evaluation.log.windows.size()}}
-                      .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-                      .c_str());
+        std::puts(resultsJson(sheet->evaluation, sheet->context).c_str());
     else if (!common.quiet)
         std::printf("%s: one page on %s\n", request.output.c_str(),
                     counted(sheet->evaluation.log.windows.size(), "window").c_str());

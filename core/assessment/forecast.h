@@ -27,7 +27,7 @@ struct ForecastAt {
     std::vector<PerError> ranks;       ///< of these: share of the samples that lie below what happened
 
     /// Share of what happened, of all errors together or of one, in the central part of the samples that holds `share`
-    /// of them; NaN of a single sample.
+    /// of them; of a single sample it says nothing.
     double inside(double share) const;
     double inside(double share, std::size_t error) const;
     bool isInside(std::size_t rank, std::size_t error, double share) const {
@@ -53,7 +53,7 @@ struct Forecast {
     double miss() const;
 };
 
-/// A model whose noise is drawn, and the mean that it strays from, both indexed as NamedModel.
+/// A model whose noise is drawn, and the mean that it strays from.
 struct SampledModel {
     NamedModel noisy, mean;
     std::size_t model = 0;  ///< Forecast::model

@@ -57,6 +57,12 @@ Json json(const Assessment& model) {
             {"on_turning_floor", json(model.onTurningFloor)}};
 }
 
+Json json(const std::optional<DriveAdvice>& advice) {
+    if (!advice) return {};
+    if (!advice->missing.empty()) return {{"missing", advice->missing}};
+    return {{"drive", advice->drive}, {"reasons", advice->reasons}, {"command", advice->command}};
+}
+
 Json json(const ForecastAt::PerError& e) { return {{"along_m", e[0]}, {"across_m", e[1]}, {"heading_rad", e[2]}}; }
 
 Json json(const Forecast& forecast) {
@@ -215,6 +221,7 @@ std::string resultsJson(const Evaluation& evaluation, const ReportContext& conte
                      {"least_path_m", windows.leastPath},
                      {"least_rotation_rad", windows.leastRotation}}},
                    {"models", std::move(models)},
+                   {"advice", json(context.advice)},
                    {"forecasts", std::move(forecasts)},
                    {"floor", floorJson(evaluation.log.floor, evaluation.log)},
                    {"turning_floor", floorJson(evaluation.log.turningFloor, evaluation.log)},

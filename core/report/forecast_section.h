@@ -10,7 +10,8 @@ namespace mrose {
 /// alone, and how often what happened lies where they say. Empty where no model has a noise.
 std::string forecastSection(const Evaluation& evaluation);
 
-/// "after 10 s, half of the samples ... 90 % within": for the head of the page; empty where the first model has none.
+/// How much of what happened lies where the first model says, a sentence for the head of the page; empty where it says
+/// nothing.
 std::string forecastHeadline(const Evaluation& evaluation);
 
 }  // namespace mrose

@@ -7,17 +7,13 @@
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
 #include "workflow/train_kicker.h"
-#include "workflow/version.h"
 
 namespace mrose {
 namespace {
 
 ReportContext kickerContext(const KickNetwork& network, const EvaluateKickerRequest& request) {
-    ReportContext context;
-    context.program = "mrose " MROSE_VERSION;
-    context.commandLine = request.command;
     const NetworkTraining& training = network.learned.training;
-    for (const NetworkSource& source : training.logs) context.trainingLogs.push_back({source.path, source.hash});
+    ReportContext context = contextOf(training, request.command);
     const auto fact = [&](const char* name, std::string value) {
         context.modelFacts.emplace_back(name, std::move(value));
     };

@@ -11,7 +11,6 @@
 #include "workflow/advise_drive.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
-#include "workflow/version.h"
 
 namespace mrose {
 namespace {
@@ -40,10 +39,7 @@ Expected<std::vector<std::size_t>> chosenWindows(const std::vector<std::size_t>&
 
 /// What a report says about a network.
 ReportContext reportContext(const MotionNetwork& network, const EvaluateRequest& request) {
-    ReportContext context;
-    context.program = "mrose " MROSE_VERSION;
-    context.commandLine = request.command;
-    for (const auto& source : network.training.logs) context.trainingLogs.push_back({source.path, source.hash});
+    ReportContext context = contextOf(network.training, request.command);
     const auto fact = [&](const char* name, std::string value) {
         context.modelFacts.emplace_back(name, std::move(value));
     };

@@ -11,7 +11,6 @@
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
 #include "workflow/sensor_families.h"
-#include "workflow/version.h"
 
 namespace mrose {
 namespace {
@@ -68,11 +67,8 @@ std::string noiseText(const ConstantNoise& noise) {
 }
 
 ReportContext sensorContext(const SensorNetwork& network, const EvaluateSensorRequest& request) {
-    ReportContext context;
-    context.program = "mrose " MROSE_VERSION;
-    context.commandLine = request.command;
     const NetworkTraining& training = network.learned.training;
-    for (const NetworkSource& source : training.logs) context.trainingLogs.push_back({source.path, source.hash});
+    ReportContext context = contextOf(training, request.command);
     const auto fact = [&](const char* name, std::string value) {
         context.modelFacts.emplace_back(name, std::move(value));
     };

@@ -6,6 +6,7 @@
 #include "logs/unit_doubts.h"
 #include "motion/learned_model.h"
 #include "workflow/resources.h"
+#include "workflow/version.h"
 
 namespace mrose {
 namespace {
@@ -51,6 +52,14 @@ std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::
 }
 
 }  // namespace
+
+ReportContext contextOf(const NetworkTraining& training, const std::string& command) {
+    ReportContext context;
+    context.program = "mrose " MROSE_VERSION;
+    context.commandLine = command;
+    for (const NetworkSource& source : training.logs) context.trainingLogs.push_back({source.path, source.hash});
+    return context;
+}
 
 std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts) {
     std::vector<const MotionNetwork*> networks;

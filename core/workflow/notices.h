@@ -7,6 +7,7 @@
 #include "logs/robot_log.h"
 #include "motion/motion_network.h"
 #include "perception/sensor_network.h"
+#include "report/page.h"
 #include "scenario/scenario.h"
 
 namespace mrose {
@@ -17,6 +18,9 @@ std::string robotKind(const Log& log);
 /// What must be known of a log before its figures are believed, a sentence each: what is missing of it, what looks like
 /// other units.
 std::vector<std::string> noticesOf(const Log& log);
+
+/// What a report of a learned network begins with: the program, the command that it was made by, the logs.
+ReportContext contextOf(const NetworkTraining& training, const std::string& command);
 
 /// The networks that a scenario's log players move by, each once.
 std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);

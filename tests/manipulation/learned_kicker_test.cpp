@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/kolmogorov.h"
 #include "support/planted_kicker.h"
 #include "world/noise_channel.h"
 
@@ -13,18 +14,6 @@ namespace mrose {
 namespace {
 
 NoiseKey keyOf(std::int64_t tick) { return {4, tick, 2, channelOf(NoiseChannel::kick, 1)}; }
-
-/// The largest distance of the distribution of some numbers from an even one in (0, 1), times the root of their count.
-double unevenness(std::vector<double> numbers) {
-    std::ranges::sort(numbers);
-    const auto n = static_cast<double>(numbers.size());
-    double most = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto k = static_cast<double>(i);
-        most = std::max({most, numbers[i] - k / n, (k + 1) / n - numbers[i]});
-    }
-    return most * std::sqrt(n);
-}
 
 TEST(LearnedKicker, DrawsAreOfItsDistributions) {
     const LearnedKicker kicker(plantedKicker(0.7));
@@ -40,7 +29,7 @@ TEST(LearnedKicker, DrawsAreOfItsDistributions) {
         directions.push_back(departure.probabilityBelow(1, drawn.direction - 0.7));
         hits += drawn.hit ? 1.0 / draws : 0;
     }
-    for (const auto& numbers : {delays, speeds, directions}) EXPECT_LT(unevenness(numbers), 1.63);
+    for (const auto& numbers : {delays, speeds, directions}) EXPECT_LT(kolmogorov(numbers), 1.63);
     EXPECT_NEAR(hits, departure.probability(), 0.025);
 }
 

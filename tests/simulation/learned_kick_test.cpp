@@ -7,6 +7,7 @@
 
 #include "manipulation/learned_kicker.h"
 #include "simulation/small_world.h"
+#include "support/kolmogorov.h"
 #include "support/planted_kicker.h"
 #include "support/units.h"
 #include "world/state_bytes.h"
@@ -69,18 +70,6 @@ std::optional<FirstKick> firstKick(std::uint64_t seed) {
         return first;
     }
     return std::nullopt;
-}
-
-/// Times the root of their count: above 1.63 in one of a hundred cases where they are even in (0, 1).
-double kolmogorov(std::vector<double> numbers) {
-    std::ranges::sort(numbers);
-    const auto n = static_cast<double>(numbers.size());
-    double most = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto k = static_cast<double>(i);
-        most = std::max({most, numbers[i] - k / n, (k + 1) / n - numbers[i]});
-    }
-    return most * std::sqrt(n);
 }
 
 TEST(LearnedKick, InTheWorldIsOfTheNetworksDistributions) {
