@@ -42,8 +42,8 @@ void print(const Advice& advice, const AdviseRequest& request) {
                 spaceText(drive).c_str());
     for (const AdviceReason& reason : advice.reasons) std::printf("  %s\n", reasonText(advice, reason).c_str());
     std::printf(
-        "driving within the limits is %.2f from the nearest in the logs, and %.2f with this drive (in standard "
-        "deviations of even commands)\n",
+        "a random drive within the limits is %.2f from the nearest that is known, and %.2f once this one is (1: the "
+        "standard deviation of commands spread evenly over the limits)\n",
         drive.farBefore, drive.farAfter);
     for (const std::string& notice : advice.notices) std::printf("Note: %s\n", notice.c_str());
 }

@@ -16,15 +16,17 @@ void printBall(const BallIdentification& found, const IdentifyBallRequest& reque
                 counted(found.kicks, "kick").c_str(), fixed(1000 * found.noise, 1).c_str());
     TextTable table({found.synthetic ? "synthetic" : "", "value", "± 1 s.e.", "unit", "events", "key"});
     std::string missing;
+    bool any = false;
     for (const BallLine& line : ballLines(found)) {
         const BallEstimate& of = *line.estimate;
+        any = any || of.identified;
         if (of.identified)
             table.add({line.name, fixed(of.value, 4), fixed(of.error, 4), line.unit, std::to_string(of.events),
                        line.key.empty() ? "-" : line.key});
         else
             missing += line.name + ": not identified: " + of.reason + '\n';
     }
-    std::printf("%s%s", table.text().c_str(), missing.c_str());
+    std::printf("%s%s", any ? table.text().c_str() : "", missing.c_str());
     for (const std::string& note : ballNotes(found)) std::printf("Note: %s\n", note.c_str());
     if (!request.output.empty()) std::printf("%s: written\n", request.output.c_str());
 }

@@ -81,6 +81,10 @@ Expected<LogWorld> LogWorld::create(ScenarioParts parts, std::shared_ptr<const L
     if (const auto found = world.findRobots(robots); !found) return tl::unexpected(found.error());
     if (const auto found = world.findSessions(); !found) return tl::unexpected(found.error());
     world.gatherAll();
+    for (std::size_t session = 0; session < world.sessions_.size(); ++session) {
+        std::vector<TrackerHistory>& tracked = world.tracked_.emplace_back();
+        for (std::size_t i = 0; i < world.robots_.size(); ++i) tracked.emplace_back(world.trajectory(session, i));
+    }
     return world;
 }
 
@@ -211,7 +215,9 @@ LogWorld::OpenedParts LogWorld::partsAt(std::size_t session, Nanoseconds start, 
     std::vector<bool> removed(parts.scene.robots.size());
     for (std::size_t i = 0; i < robots_.size(); ++i) {
         const std::size_t body = robots_[i].body;
-        auto measured = measureStart(trajectory(session, i), sessions_[session].parts[i].origin + start, 0);
+        const Nanoseconds now = sessions_[session].parts[i].origin + start;
+        auto measured = measureStart(trajectory(session, i), now, 0);
+        if (measured) measured->tracked = tracked_[session][i].at(now);
         removed[body] = !measured;
         opened.starts.push_back(measured ? std::optional(*measured) : std::nullopt);
         if (!measured) continue;
@@ -219,6 +225,7 @@ LogWorld::OpenedParts LogWorld::partsAt(std::size_t session, Nanoseconds start, 
         SceneRobot& robot = parts.scene.robots[body];
         robot.start = measured->pose;
         robot.velocity = *measured->velocity;
+        robot.tracked = measured->tracked;
         robot.phase = 0;
         parts.controllers[body] = player(*measured, duration, parts.controllers[body]->attention());
     }

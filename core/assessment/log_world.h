@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/rollout.h"
+#include "assessment/tracker_history.h"
 #include "io/error.h"
 #include "logs/robot_log.h"
 #include "scenario/scenario.h"
@@ -103,6 +104,7 @@ private:
     std::vector<std::string> leftOut_;
     std::vector<LogExcerpt> excerpts_;  ///< by compared robot
     std::vector<LogSession> sessions_;
+    std::vector<std::vector<TrackerHistory>> tracked_;  ///< by session and compared robot
     std::shared_ptr<const Scenario> allRobots_;
 };
 

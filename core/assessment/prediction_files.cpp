@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "assessment/tracker_history.h"
 #include "io/file.h"
 #include "io/format.h"
 #include "logs/csv_rows.h"
@@ -141,6 +142,7 @@ Expected<RequestedStarts> requestedStarts(const Log& log, std::span<const Window
         requested.starts.back().body = static_cast<std::uint32_t>(*robot);
         requested.robots.push_back(*robot);
     }
+    fillTracked(requested.starts);
     return requested;
 }
 

@@ -49,6 +49,7 @@ Runner prepare(const MotionModel& model, const RolloutStart& start, Nanoseconds 
     runner.start = &start;
     runner.memory.resize(model.memorySize());
     model.start(runner.memory);
+    model.adapt(runner.memory, start.tracked);
     const Beginning beginning = beginningOf(*start.trajectory, time, lead);
     if (beginning.before) runner.history.issue(beginning.before->time, beginning.before->command);
     runner.next = beginning.first;

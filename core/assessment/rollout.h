@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/tracker_offset.h"
 #include "io/error.h"
 #include "logs/robot_log.h"
 #include "motion/motion_model.h"
@@ -14,12 +15,13 @@ namespace mrose {
 /// One open-loop prediction to make: where the robot will be at start + k * step, k = 1 ... steps, if it is sent the
 /// commands of its trajectory.
 struct RolloutStart {
-    const Trajectory* trajectory = nullptr;  ///< its commands; its poses are never read
+    const Trajectory* trajectory = nullptr;  ///< its commands; its poses are not read
     Nanoseconds time = 0;
     Pose pose;                         ///< at `time`
     std::optional<Velocity> velocity;  ///< at `time`; unknown: what the model itself reaches over RolloutOptions::lead
     int steps = 0;
-    std::uint32_t body = 0;  ///< which robot of a world it is, for what is random
+    TrackerEvidence tracked;  ///< from what was seen before `time`
+    std::uint32_t body = 0;   ///< which robot of a world it is, for what is random
 };
 
 struct RolloutOptions {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/tracker_history.h"
 #include "geometry/point.h"
 #include "io/format.h"
 #include "logs/pose_grid.h"
@@ -198,6 +199,7 @@ std::vector<RolloutStart> rolloutStarts(const Log& log, std::span<const Window> 
     for (const Window& w : windows)
         starts.push_back(
             {&log.robots[w.robot].trajectories[w.trajectory], w.start, w.measuredPose, w.measuredVelocity, w.steps()});
+    fillTracked(starts);
     return starts;
 }
 

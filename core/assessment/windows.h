@@ -61,8 +61,8 @@ std::vector<Window> denseStretches(const Log& log, std::size_t robot, const Wind
                                    Nanoseconds spacing);
 
 /// What a prediction starting at `time` may know: measuredStart. Without velocity where the truth begins less than 0.1
-/// s before `time` and the robot did not measure its own: a rollout then starts with the model's. Error: the truth does
-/// not reach to `time`.
+/// s before `time` and the robot did not measure its own: a rollout then starts with the model's. RolloutStart::tracked
+/// is left to fillTracked(). Error: the truth does not reach to `time`.
 Expected<RolloutStart> measureStart(const Trajectory& trajectory, Nanoseconds time, int steps);
 
 /// The starts of the windows' rollouts. They point into `log`.

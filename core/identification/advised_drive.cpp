@@ -222,6 +222,18 @@ double usualDisagreement(std::span<const Log> logs, const LearnedMotion& motion)
     return count > 0 ? sum / count : 0;
 }
 
+/// The driving that a network says that it learned from, in units of `channels`.
+std::vector<Driving> drivingLearnedFrom(const MotionNetwork& network, const FamiliarDriving& channels) {
+    std::vector<Driving> drivings;
+    if (!network.familiar) return drivings;
+    const double v = network.familiar->v.scale / channels.v.scale, w = network.familiar->w.scale / channels.w.scale;
+    for (Driving driving : network.familiar->prototypes) {
+        for (std::size_t i = 0; i < driving.size(); ++i) driving[i] *= i % 2 == 0 ? v : w;
+        drivings.push_back(driving);
+    }
+    return drivings;
+}
+
 /// Scales are standard deviations of what is spread evenly over the limits.
 FamiliarDriving channelsWithin(const CommandLimits& limits, const MotionNetwork& network) {
     FamiliarDriving channels = describedChannels(network);
@@ -244,6 +256,7 @@ Expected<AdvisedDrive> adviseDrive(const LearnedMotion& motion, std::span<const 
     Adviser adviser(motion, options, channels);
     adviser.sampleDriving();
     adviser.know(*known);
+    adviser.know(drivingLearnedFrom(motion.network(), channels));
     return adviser.advise(usualDisagreement(logs, motion), progress);
 }
 

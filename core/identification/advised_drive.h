@@ -34,13 +34,14 @@ struct AdvisedDrive {
     std::vector<StampedCommand> commands;  ///< changes only; from 0 on, the last one is rest
     std::vector<AdvisedManoeuvre> manoeuvres;
     Pose least, most;  ///< the robot's way, m, from where it begins, along x: the box round it
-    /// Mean distance of driving within the limits from the nearest that is in the logs; and with this drive.
+    /// Mean distance of driving within the limits from the nearest that is known; and with this drive.
     double farBefore = 0, farAfter = 0;
     bool membersKnown = false, familiarKnown = false;
 };
 
-/// The drive that adds most to what the network was learned from. Samples of driving within the limits are each worth
-/// how much the members disagree on it; the sum of their squared distances from what is in the logs or in the drive,
+/// The drive that adds most to what is known: what is in the logs, and what the network says that it was learned from
+/// (MotionNetwork::familiar). Samples of driving within the limits are each worth
+/// how much the members disagree on it; the sum of their squared distances from what is known or in the drive,
 /// each times its worth, is made small greedily, manoeuvre by manoeuvre. Begins and ends at rest. Error: a log without
 /// patterns; limits that allow no motion; it was cancelled.
 Expected<AdvisedDrive> adviseDrive(const LearnedMotion& motion, std::span<const Log> logs, const AdviceOptions& options,

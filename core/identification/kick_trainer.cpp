@@ -8,6 +8,7 @@
 #include "geometry/normal_distribution.h"
 #include "geometry/pose.h"
 #include "identification/likelihood_objective.h"
+#include "io/format.h"
 #include "learning/initial_weights.h"
 #include "perception/reading_distribution.h"
 
@@ -279,8 +280,7 @@ private:
 Expected<KickNetwork> trainKicker(const KickSamples& samples, const KickTrainerOptions& options,
                                   const Progress& progress) {
     if (const std::size_t hits = samples.hits(); hits < fewestHits)
-        return fail("", "holds " + std::to_string(hits) +
-                            " kicks that met a ball and that are tracked; learning needs " +
+        return fail("", "holds " + counted(hits, "tracked kick") + " that met a ball; learning needs " +
                             std::to_string(fewestHits));
     KickLearner learner(samples, options, progress);
     if (!learner.learn()) return fail("", "was not learned from: cancelled");

@@ -152,18 +152,9 @@ std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples) {
                 if (run.robot == static_cast<int>(robot))
                     for (std::size_t i = 0; i < run.count; ++i) f(samples.samples[run.first + i].increment);
         };
-        // Normal equations of y - dx * dphi / 2 = ahead * dphi - rotated * dx: an arc alone leads sideways too.
-        double pp = 1e-12, px = 0, xx = 1e-12, py = 0, xy = 0;
-        forOwn([&](const Pose& d) {
-            pp += d.heading * d.heading;
-            px += d.heading * d.x;
-            xx += d.x * d.x;
-            const double sideways = d.y - d.x * d.heading / 2;
-            py += d.heading * sideways;
-            xy += d.x * sideways;
-        });
-        const double determinant = pp * xx - px * px;
-        offsets[robot] = {(py * xx - xy * px) / determinant, -(xy * pp - py * px) / determinant};
+        TrackerEvidence evidence;
+        forOwn([&](const Pose& d) { evidence.add(d); });
+        offsets[robot] = evidence.offset();
         forOwn([&](Pose& d) { d.y -= offsets[robot].sideways(d); });
     }
     return offsets;

@@ -410,6 +410,10 @@ ResidualNoise fitted(const ResidualRollouts& rollouts, const ResidualNoise& blue
     ResidualNoise noise = objective.noise(result.parameters.empty() ? units : result.parameters);
     noise.horizon = toSeconds(period) * static_cast<double>(rollouts.length);
     noise.rollouts = static_cast<std::int64_t>(rollouts.count());
+    noise.most.emplace();
+    for (const NoiseTraits& traits : rollouts.traits)
+        for (std::size_t t = 0; t < traits.size(); ++t)
+            (*noise.most)[t] = std::max((*noise.most)[t], std::abs(traits[t]));
     return noise;
 }
 

@@ -46,6 +46,11 @@ LearnedMotion::LearnedMotion(MotionNetwork network)
     for (const MotionNetwork::Identified& identified : network_.identified)
         if (const int robot = inputs_.robotIndex(identified.robot); robot >= 0)
             trackers_[static_cast<std::size_t>(robot)] = identified.tracker;
+    for (const MotionNetwork::Identified& identified : network_.identified) {
+        const auto count = static_cast<double>(network_.identified.size());
+        usualTracker_.ahead += identified.tracker.ahead / count;
+        usualTracker_.rotated += identified.tracker.rotated / count;
+    }
     if (network_.noise)
         noise_.emplace(Noise{NoiseTraitReader(network_),
                              NoiseProcesses(*network_.noise, network_.members.size(), toSeconds(network_.period))});
@@ -69,6 +74,15 @@ std::size_t LearnedMotion::memorySize(MotionDraw draw) const {
     if (draw == MotionDraw::mean || !noise_) return sizeof(Memory);
     const std::size_t values = (noise_->processes.values() + 1) / 2 * 2;  // whole blocks of 8 bytes
     return sizeof(Memory) + sizeof(NoiseMemory) + values * sizeof(float);
+}
+
+void LearnedMotion::adapt(int robot, std::span<std::byte> memory, const TrackerEvidence& seen) const {
+    if (seen.none()) return;
+    const bool known = robot >= 0;
+    const TrackerOffset own = known ? trackers_[static_cast<std::size_t>(robot)] : TrackerOffset{};
+    const TrackerOffset now = seen.offset(known ? own : usualTracker_);
+    as<Memory>(memory).ahead = static_cast<float>(now.ahead - own.ahead);
+    as<Memory>(memory).rotated = static_cast<float>(now.rotated - own.rotated);
 }
 
 const MlpInference& LearnedMotion::inferenceFor(MotionDraw draw) const {
@@ -121,14 +135,21 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
         step.increment.y += noise->y;
         step.increment.heading += noise->heading;
     }
-    if (robot >= 0) step.increment.y += trackers_[static_cast<std::size_t>(robot)].sideways(step.increment);
+    TrackerOffset tracker = robot >= 0 ? trackers_[static_cast<std::size_t>(robot)] : TrackerOffset{};
+    if (!input.memory.empty()) {
+        tracker.ahead += static_cast<double>(as<Memory>(input.memory).ahead);
+        tracker.rotated += static_cast<double>(as<Memory>(input.memory).rotated);
+    }
+    step.increment.y += tracker.sideways(step.increment);
     return step;
 }
 
 void LearnedMotion::remember(const MotionInput& input, const float* outputs) const {
     if (input.memory.empty()) return;
     const std::size_t end = network_.form == MotionNetwork::Form::history ? 5 : 3;
-    as<Memory>(input.memory) = {{value(outputs, end), value(outputs, end + 1)}, 1};
+    auto& memory = as<Memory>(input.memory);
+    memory.unperturbed = {value(outputs, end), value(outputs, end + 1)};
+    memory.begun = 1;
 }
 
 void LearnedMotion::predict(std::span<const MotionInput> inputs, std::span<const int> robots,
@@ -211,11 +232,22 @@ std::shared_ptr<const LearnedModel> LearnedModel::drawn(MotionDraw draw) const {
     return other;
 }
 
+void LearnedModel::restart(std::span<std::byte> memory) const {
+    const auto before = as<LearnedMotion::Memory>(memory);
+    std::fill(memory.begin(), memory.end(), std::byte{0});
+    as<LearnedMotion::Memory>(memory).ahead = before.ahead;
+    as<LearnedMotion::Memory>(memory).rotated = before.rotated;
+}
+
 std::vector<MemoryEntry> LearnedModel::explain(std::span<const std::byte> memory) const {
     const auto& kept = as<LearnedMotion::Memory>(memory);
     if (kept.begun == 0) return {};
     std::vector<MemoryEntry> entries{{"unperturbed_v", kept.unperturbed.v, "m/s"},
                                      {"unperturbed_w", kept.unperturbed.w, "rad/s"}};
+    if (kept.ahead != 0 || kept.rotated != 0) {
+        entries.push_back({"tracked_point_ahead", static_cast<double>(kept.ahead), "m"});
+        entries.push_back({"tracked_point_rotated", static_cast<double>(kept.rotated), "rad"});
+    }
     for (MemoryEntry& entry : motion_->explainNoise(memory)) entries.push_back(std::move(entry));
     return entries;
 }

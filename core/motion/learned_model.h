@@ -34,12 +34,16 @@ public:
         /// recovers.
         Velocity unperturbed;
         std::uint64_t begun = 0;  ///< 0 before the first period: `unperturbed` is told from the commands
-        std::uint64_t unused = 0;
+        /// Of the tracked point, besides what the network knows: MotionModel::adapt.
+        float ahead = 0, rotated = 0;
     };
     /// Bytes that are remembered of a robot: Memory, and where noise is drawn, what that remembers.
     std::size_t memorySize(MotionDraw draw) const;
     /// What the noise remembers, for people.
     std::vector<MemoryEntry> explainNoise(std::span<const std::byte> memory) const;
+
+    /// What a memory takes over of what was seen of its robot before: MotionModel::adapt.
+    void adapt(int robot, std::span<std::byte> memory, const TrackerEvidence& seen) const;
 
     /// Steps for robots that may differ: robots[i] is the index by InputReader::robotIndex.
     void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps,
@@ -80,6 +84,7 @@ private:
     static Decay decayOf(double timeConstant, double period);
     Decay decayV_, decayW_;
     std::vector<TrackerOffset> trackers_;  ///< by robot index
+    TrackerOffset usualTracker_;           ///< mean of the identified ones
     struct Noise {
         NoiseTraitReader traits;
         NoiseProcesses processes;
@@ -107,6 +112,10 @@ public:
     DeadTimes deadTimes() const override { return deadTimes_; }
     bool sameAs(const MotionModel& other) const override;
     std::size_t memorySize() const override { return motion_->memorySize(draw_); }
+    void restart(std::span<std::byte> memory) const override;
+    void adapt(std::span<std::byte> memory, const TrackerEvidence& seen) const override {
+        motion_->adapt(robot_, memory, seen);
+    }
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
     /// Of the members about their mean (of a sample: divided by their number less one), which the steps are.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "geometry/tracker_offset.h"
 #include "world/command_history.h"
 #include "world/memory.h"
 #include "world/noise.h"
@@ -61,6 +62,14 @@ public:
     virtual std::size_t memorySize() const { return 0; }
     /// Fills the memory at a run's start. All zero before.
     virtual void start(std::span<std::byte> /*memory*/) const {}
+    /// The same of a robot that was set down elsewhere: what it was doing is forgotten.
+    virtual void restart(std::span<std::byte> memory) const {
+        std::fill(memory.begin(), memory.end(), std::byte{0});
+        start(memory);
+    }
+    /// Tells a memory at a run's start what was seen of its robot before: what is predicted then is where its tracked
+    /// point will be. Models that know of no such point leave it.
+    virtual void adapt(std::span<std::byte> /*memory*/, const TrackerEvidence& /*seen*/) const {}
     /// What such a memory says.
     virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
 

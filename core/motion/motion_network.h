@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/tracker_offset.h"
 #include "io/error.h"
 #include "learning/learned_network.h"
 #include "motion/kinematic.h"
@@ -50,18 +51,6 @@ struct NetworkOutput {
     bool operator==(const NetworkOutput&) const = default;
 };
 
-/// A tracker's marker is not quite on the axle's middle, nor quite straight: while the body moves by (dx, 0, dphi) the
-/// marker also moves sideways, by ahead * dphi - rotated * dx. Predictions of a robot's log are of its marker.
-struct TrackerOffset {
-    double ahead = 0;    ///< m, of the axle
-    double rotated = 0;  ///< rad, against the body's forward direction
-    bool operator==(const TrackerOffset&) const = default;
-
-    double sideways(const Pose& bodyIncrement) const {
-        return ahead * bodyIncrement.heading - rotated * bodyIncrement.x;
-    }
-};
-
 /// What a period is like that the noise of its motion depends on, by its share of what the mean predicts.
 enum class NoiseTrait {
     moving,         ///< 0 of a robot at rest, 1 of one that moves: steep at 5 mm/s and 0.05 rad/s
@@ -102,8 +91,9 @@ struct ResidualNoise {
     };
     std::vector<Process> processes;
     Strength members, scale;
-    double horizon = 0;         ///< s: how far rollouts went from whose errors it was learned
-    std::int64_t rollouts = 0;  ///< their number
+    double horizon = 0;               ///< s: how far rollouts went from whose errors it was learned
+    std::int64_t rollouts = 0;        ///< their number
+    std::optional<NoiseTraits> most;  ///< without their signs, in these rollouts: what is more counts as much
     std::optional<MotionNoise>
         constant;  ///< the constant noise that forecasts them best, which this one is held against
     bool operator==(const ResidualNoise&) const = default;

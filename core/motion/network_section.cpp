@@ -72,12 +72,20 @@ MotionNoise readConstantNoise(TomlTable table) {
     return noise;
 }
 
+NoiseTraits readTraits(TomlTable table) {
+    NoiseTraits traits;
+    for (std::size_t t = 0; t < traits.size(); ++t) traits[t] = table.number(noiseTraitNames[t], {0, 1e6});
+    table.rejectUnknown();
+    return traits;
+}
+
 ResidualNoise readNoise(TomlTable table) {
     ResidualNoise noise;
     noise.horizon = table.number("horizon_s", {0, 1e6});
     noise.rollouts = table.integer("rollouts", 0, 1'000'000'000);
     noise.scale = readStrength(table.table("scale"));
     noise.members = readStrength(table.table("members"));
+    if (table.has("most")) noise.most = readTraits(table.table("most"));
     if (table.has("constant")) noise.constant = readConstantNoise(table.table("constant"));
     for (TomlTable& part : table.tables("processes")) {
         ResidualNoise::Process process;

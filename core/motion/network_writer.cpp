@@ -64,10 +64,18 @@ std::string constantNoiseText(const MotionNoise& noise) {
            ", rotation_per_distance_radpm = " + numberText(noise.rotationPerDistance) + " }";
 }
 
+std::string traitsText(const NoiseTraits& traits) {
+    std::string text;
+    for (std::size_t t = 0; t < traits.size(); ++t)
+        text += (t == 0 ? "{ " : ", ") + std::string(noiseTraitNames[t]) + " = " + numberText(traits[t]);
+    return text + " }";
+}
+
 std::string noiseText(const ResidualNoise& noise) {
     std::string text = "\n[motion.noise] # how real runs differ from the mean\n" + line("horizon_s", noise.horizon) +
                        line("rollouts", std::to_string(noise.rollouts)) + line("scale", strengthText(noise.scale)) +
                        line("members", strengthText(noise.members)) +
+                       (noise.most ? line("most", traitsText(*noise.most)) : "") +
                        (noise.constant ? line("constant", constantNoiseText(*noise.constant)) : "") +
                        "processes = [ # m or rad a period\n";
     for (const ResidualNoise::Process& process : noise.processes) {

@@ -21,6 +21,8 @@ public:
     DeadTimes deadTimes() const override { return model_->deadTimes(); }
     std::size_t memorySize() const override { return model_->memorySize(); }
     void start(std::span<std::byte> memory) const override { model_->start(memory); }
+    void restart(std::span<std::byte> memory) const override { model_->restart(memory); }
+    void adapt(std::span<std::byte> memory, const TrackerEvidence& seen) const override { model_->adapt(memory, seen); }
     std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
         return model_->explain(memory);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "geometry/elementary.h"
 #include "geometry/normal_distribution.h"
@@ -13,6 +14,12 @@ namespace {
 using Quantity = NetworkInput::Quantity;
 
 constexpr std::size_t drawsPerKey = 8;
+
+NoiseTraits unbounded() {
+    NoiseTraits traits;
+    traits.fill(std::numeric_limits<double>::infinity());
+    return traits;
+}
 
 }  // namespace
 
@@ -48,6 +55,7 @@ NoiseTraits NoiseTraitReader::read(const float* row, const Pose& increment, cons
 
 NoiseProcesses::NoiseProcesses(const ResidualNoise& noise, std::size_t members, double period)
     : noise_(noise),
+      most_(noise.most.value_or(unbounded())),
       members_(noise.members.weight == 0 || members < 2 ? 0 : members),
       perMember_(members_ == 0 ? 0 : noise.members.weight / std::sqrt(static_cast<double>(members_ - 1))) {
     const auto add = [&](double time) {
@@ -84,8 +92,10 @@ Pose NoiseProcesses::noise(std::span<const float> values, const NoiseTraits& tra
     for (std::size_t i = 0; i < noise_.processes.size(); ++i) {
         const ResidualNoise::Process& process = noise_.processes[i];
         double amplitude = 0;
-        for (const ResidualNoise::Share& share : process.amplitude)
-            amplitude += share.weight * traits[static_cast<std::size_t>(share.trait)];
+        for (const ResidualNoise::Share& share : process.amplitude) {
+            const auto trait = static_cast<std::size_t>(share.trait);
+            amplitude += share.weight * std::clamp(traits[trait], -most_[trait], most_[trait]);
+        }
         sums[static_cast<std::size_t>(process.axis)] += amplitude * static_cast<double>(values[i]);
     }
     assert(members_ == 0 || members.size() == members_);

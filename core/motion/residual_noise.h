@@ -44,7 +44,8 @@ public:
     /// the key, one for every eight values.
     void advance(const NoiseKey& key, bool begun, std::span<float> values) const;
 
-    /// What is added to the mean's increment. `members`: their increments, less the mean's.
+    /// What is added to the mean's increment; traits count up to ResidualNoise::most. `members`: their increments, less
+    /// the mean's.
     Pose noise(std::span<const float> values, const NoiseTraits& traits, std::span<const Pose> members) const;
 
     /// exp of the scale's value: all of the noise is multiplied by it.
@@ -52,6 +53,7 @@ public:
 
 private:
     ResidualNoise noise_;
+    NoiseTraits most_;
     std::size_t members_;
     double perMember_;  ///< weight of a member's value
     std::vector<double> decays_, renewals_;

@@ -307,10 +307,11 @@ std::string definitions(const Evaluation& evaluation) {
             " m or turns at least ", fixed(options.leastRotation, 2),
             " rad (in proportion to its length). Windows of one robot do not overlap. Trajectories too short to "
             "be cut are one window each: their end, or all of them."));
-    list +=
-        definition("prediction",
-                   "Open loop: it knows pose and velocity at the start, measured from truth at or before it, and each "
-                   "command once it is issued. Nothing is aligned afterwards.");
+    list += definition(
+        "prediction",
+        "Open loop: it knows pose and velocity at the start and, if it is a network’s, how the tracked point "
+        "lies on the robot, measured from truth at or before it, and each command once it is issued. "
+        "Nothing is aligned afterwards.");
     list += errorDefinitions(options, "windows");
     list += definition("from", "Seconds since the first stamp of the drive. Files have the log’s own clock.");
     list += definition("path, rotation", "Summed over steps of 0.5 s, because a robot’s wobble inflates shorter ones.");

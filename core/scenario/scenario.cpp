@@ -161,7 +161,12 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     state.motion.resize(motionSize_);
     state.memory.resize(memorySize_);
     state.sensing.resize(sensingSize_);
-    for (std::size_t body = 0; body < scene.bodyCount(); ++body) startMotion(state, body);
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+        scene.modelOf(i).start(motionMemory(state, i));
+        scene.modelOf(i).adapt(motionMemory(state, i), scene.robots[i].tracked);
+    }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        scene.typeOfObject(i).motion->start(motionMemory(state, scene.robots.size() + i));
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
         controller(i).start(memoryOf(state, i));
         for (std::size_t k = 0; k < sensors(i).size(); ++k) sensors(i)[k]->start(sensorMemory(state, i, k));
@@ -171,18 +176,12 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     return state;
 }
 
-void Scenario::startMotion(WorldState& state, std::size_t body) const {
+void Scenario::forgetMotion(WorldState& state, std::size_t body) const {
     const std::size_t robots = scene().robots.size();
     const std::span<std::byte> memory = motionMemory(state, body);
-    if (body < robots)
-        scene().modelOf(body).start(memory);
-    else
-        scene().typeOfObject(body - robots).motion->start(memory);
-}
-
-void Scenario::forgetMotion(WorldState& state, std::size_t body) const {
-    std::ranges::fill(motionMemory(state, body), std::byte{0});
-    startMotion(state, body);
+    if (body < robots) return scene().modelOf(body).restart(memory);
+    std::ranges::fill(memory, std::byte{0});
+    scene().typeOfObject(body - robots).motion->start(memory);
 }
 
 }  // namespace mrose

@@ -173,7 +173,6 @@ private:
     };
     void layOutSensors();
     void layOut();
-    void startMotion(WorldState& state, std::size_t body) const;
     void prepareContacts();
 
     ScenarioParts parts_;

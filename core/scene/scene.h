@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/tracker_offset.h"
 #include "motion/motion_model.h"
 #include "scene/environment.h"
 #include "scene/floor_motion.h"
@@ -33,7 +34,8 @@ struct SceneRobot {
     std::uint32_t model = 0;  ///< in Scene::models
     std::int64_t phase = 0;   ///< tick of its first control instant
     Pose start;
-    Velocity velocity = {};  ///< at the start, as its model reads it
+    Velocity velocity = {};        ///< at the start, as its model reads it
+    TrackerEvidence tracked = {};  ///< what was seen of a real one before: MotionModel::adapt
     /// Where others were left out: its place among all, by which people, colours and conditions know it.
     std::optional<std::uint32_t> place = {};
     std::string motionRobot = {};  ///< which of the robots of its networks it is; "": none of them

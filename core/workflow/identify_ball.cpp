@@ -1,5 +1,7 @@
 #include "workflow/identify_ball.h"
 
+#include <algorithm>
+
 #include "io/file.h"
 #include "report/ball_text.h"
 #include "scenario/description_file.h"
@@ -41,6 +43,12 @@ Expected<BallIdentification> identifyBall(const IdentifyBallRequest& request, co
     auto found = identifyBall(*log, options);
     if (!found) return found;
     if (!mayGoOn(progress, 1)) return fail(log->source, "was not looked through: cancelled");
+    const std::vector<BallLine> lines = ballLines(*found);
+    const bool any =
+        std::any_of(lines.begin(), lines.end(), [](const BallLine& line) { return line.estimate->identified; });
+    if (!request.output.empty() && !any)
+        return fail(log->source, "tells nothing of its ball that " + request.output + " could hold; " +
+                                     lines.front().name + ": " + lines.front().estimate->reason);
     if (!request.output.empty())
         if (auto written = writeFileAtomically(request.output, ballKeysText(*found, log->source)); !written)
             return tl::unexpected(written.error());

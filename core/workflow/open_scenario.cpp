@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "experiment/branching.h"
 #include "experiment/trial.h"
@@ -11,6 +12,8 @@
 #include "io/file.h"
 #include "io/format.h"
 #include "io/shell_quoted.h"
+#include "motion/learned_model.h"
+#include "motion/noisy_model.h"
 #include "scenario/settings_file.h"
 #include "scenario/start_check.h"
 #include "scenario/state_scenario.h"
@@ -23,6 +26,21 @@ namespace {
 
 /// Metres, to the millimetre.
 std::string millimetresText(double metres) { return numberText(std::round(1000 * metres) / 1000); }
+
+/// Of robots whose network was learned without its noise: a sentence for each type.
+std::vector<std::string> meanAloneText(const Scene& scene) {
+    std::vector<std::string> sentences;
+    std::set<std::string> types;
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+        const LearnedModel* const learned = learnedModel(scene.modelOf(i));
+        const bool noisy = !noiseOf(scene.modelOf(i)).none();
+        if (learned == nullptr || learned->network().noise || noisy || !types.insert(scene.typeOf(i).name).second)
+            continue;
+        sentences.push_back("the network of robots of type \"" + scene.typeOf(i).name +
+                            "\" knows its mean alone: they drive the same way every time, which real ones do not");
+    }
+    return sentences;
+}
 
 /// Of a scenario that goes on from a saved state: a sentence where a robot's start line is not where it stands in it.
 std::vector<std::string> startsApartText(const LoadedScenario& loaded) {
@@ -230,6 +248,7 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
     if (!trial) loaded = varied(*loaded, request.trial);
     if (!loaded) return tl::unexpected(loaded.error());
     for (std::string& sentence : startsOutsideText(loaded->parts.scene)) notes.push_back(std::move(sentence));
+    for (std::string& sentence : meanAloneText(loaded->parts.scene)) notes.push_back(std::move(sentence));
     auto scenario = std::make_shared<const Scenario>(loaded->parts);
     return OpenedScenario{std::move(*loaded), plugins.hashes(), std::move(scenario), std::move(notes),
                           std::move(trial)};

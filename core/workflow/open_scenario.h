@@ -41,7 +41,7 @@ struct OpenedScenario {
     LoadedScenario loaded;
     std::map<std::string, std::string> plugins;  ///< hashes of their files' contents, by path
     std::shared_ptr<const Scenario> scenario;
-    std::vector<std::string> notes;         ///< what is most likely a mistake, a sentence each
+    std::vector<std::string> notes;         ///< what is most likely a mistake or must be known, a sentence each
     std::optional<OpenedTrial> trial = {};  ///< of an experiment
 };
 

@@ -4,6 +4,7 @@
 
 #include "assessment/played_scenarios.h"
 #include "assessment/test_models.h"
+#include "assessment/tracker_history.h"
 #include "logs/log_reader.h"
 #include "simulation/step.h"
 #include "support/places.h"
@@ -26,8 +27,9 @@ Equality expectEqual(const Log& log, const Models& models, const Comparison& com
     for (const ComparedRollout& rollout : comparison.rollouts) {
         if (rollout.use == RolloutUse::absent) continue;
         const Trajectory& trajectory = log.robots[rollout.real.robot].trajectories[rollout.real.trajectory];
-        const auto start = measureStart(trajectory, rollout.real.start, static_cast<int>(rollout.simulated.size()));
+        auto start = measureStart(trajectory, rollout.real.start, static_cast<int>(rollout.simulated.size()));
         EXPECT_TRUE(start);
+        if (start) fillTracked({&*start, 1});
         const auto predicted = rollOut(*models[rollout.real.robot], {&*start, 1});
         EXPECT_TRUE(predicted) << predicted.error().message();
         if (!start || !predicted) continue;

@@ -57,6 +57,17 @@ TEST_F(BallProgram, WithoutABallOrAMapThereIsOneLine) {
     expectOneLine(runMrose({"identify-ball", still, "--environment", "soccer.toml"}),
                   {"soccer.toml", "expected an environment"});
     expectOneLine(runMrose({"identify-ball", still, "-o", still, "--overwrite"}), {"still.csv"});
+    // Too short a way for anything to be fitted to it.
+    std::string brief = "t,ball_x,ball_y\n";
+    for (int i = 0; i < 40; ++i)
+        brief += std::to_string(0.02 * i) + ',' + std::to_string(i < 30 ? 0 : 0.02 * (i - 30)) + ",0\n";
+    const std::string file = write("brief.csv", brief);
+    const ProgramResult nothing = runMrose({"identify-ball", file});
+    EXPECT_EQ(nothing.status, 0) << nothing.err;
+    EXPECT_EQ(nothing.out.find("± 1 s.e."), std::string::npos) << "a table without rows: " << nothing.out;
+    EXPECT_THAT(nothing.out, HasSubstr("not identified"));
+    expectOneLine(runMrose({"identify-ball", file, "-o", path("ball.toml")}),
+                  {"brief.csv", "tells nothing of its ball that", "ball.toml could hold"});
     EXPECT_EQ(read("ball.toml"), "");
 }
 

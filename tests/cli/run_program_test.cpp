@@ -225,6 +225,22 @@ TEST_F(RunProgram, SaysWhoStartsOutsideTheWalls) {
     EXPECT_EQ(runMrose({"run", path("it's a game.toml"), "--duration", "0.1"}).err, "");
 }
 
+TEST_F(RunProgram, SaysOnceWhoseNetworkKnowsNoNoise) {
+    write("paper.toml",
+          "format = \"mrose robot\"\nversion = 1\nname = \"As in the paper\"\nshape = \"create.toml\"\n"
+          "mass_kg = 4.5\ncontrol_period_s = 0.1\n[motion]\nnetwork = \"create_paper.net\"\n");
+    std::string text = (game(), read("it's a game.toml"));
+    text = replaced(replaced(text, "pioneer1.toml", "paper.toml"), "nomad200.toml", "paper.toml");
+    const std::string two =
+        write("two.toml", replaced(text, "kind = \"chase_ball\", target_m = [4.8, 0.0]", "kind = \"wander\""));
+    EXPECT_EQ(
+        runMrose({"run", two, "--duration", "0.1"}).err,
+        "mrose: note: the network of robots of type \"As in the paper\" knows its mean alone: they drive the same way "
+        "every time, which real ones do not\n");
+    const std::string yard = write("yard.toml", replaced(read("it's a game.toml"), "nomad200.toml", "husky.toml"));
+    EXPECT_EQ(runMrose({"run", yard, "--duration", "0.1"}).err, "") << "ships with its noise";
+}
+
 TEST_F(RunProgram, KicksAreToldWhereThereAreKickers) {
     EXPECT_NE(play("run", {"--duration", "0.1"}).out.find("; kicks: 0, 0 of them on a ball\n"), std::string::npos);
     const ProgramResult corridor = runMrose({"run", "b21_corridor.toml", "--duration", "0.1"});

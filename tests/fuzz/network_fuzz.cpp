@@ -1,5 +1,5 @@
-// Whatever the bytes are, a network file gives a network that predicts and comes back from its own text, or an error of
-// one line; strict reading of TOML never leaves its bounds.
+// Whatever the bytes are, a file of a motion network or a kicker gives one that predicts and comes back from its own
+// text, or an error of one line; strict reading of TOML never leaves its bounds.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -8,6 +8,7 @@
 
 #include "fuzz/require.h"
 #include "io/toml_table.h"
+#include "manipulation/learned_kicker.h"
 #include "motion/learned_model.h"
 
 namespace mrose {
@@ -38,10 +39,29 @@ void requirePrediction(const MotionNetwork& network, std::string_view bytes) {
             LearnedMotion::Memory memory{{0.1, 0.1}, 1};
             model.predictOne({&empty, start, {}, std::as_writable_bytes(std::span(&memory, 1))});
         }
+        const LearnedModel noisy(motion, robot, MotionDraw::noisy);
+        std::vector<std::byte> memory(noisy.memorySize());
+        for (int tick = 0; tick < 3; ++tick)
+            noisy.predictOne({&history, 900'000'000, {0.2, -0.3}, memory, NoiseKey{1, tick, 0, 0}});
+    }
+}
+
+void requireKicker(std::string_view text) {
+    const auto network = parseKick(text, "net");
+    if (!network) return requireOneLine(network.error());
+    const auto again = parseKick(kickText(*network), "net");
+    require(again && *again == *network);
+    const LearnedKicker kicker(*network);
+    for (const double power : {0.0, 0.4, 1.0}) {
+        const KickState state{power, {0.3, -1}, {0.25, 0.02}};
+        require(kicker.drawDelay(state, {1, 2, 3, 0}) >= 0);
+        const KickDeparture departure = kicker.drawDeparture(state, {1, 2, 3, 0});
+        require(!departure.hit || departure.speed >= 0);
     }
 }
 
 void requireSound(std::string_view text) {
+    requireKicker(text);
     const auto network = parseNetwork(text, "net");
     if (!network) return requireOneLine(network.error());
     const auto again = parseNetwork(networkText(*network), "net");

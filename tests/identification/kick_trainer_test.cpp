@@ -127,7 +127,7 @@ TEST(KickTrainer, OfConstantPowerAndWithoutMissesItStillLearnsTheRest) {
 
 TEST(KickTrainer, TooFewKicksAndCancelling) {
     EXPECT_THAT(trainKicker(plantedKicks(30)).error().cause, HasSubstr("learning needs 40"));
-    EXPECT_THAT(trainKicker({}).error().cause, HasSubstr("holds 0 kicks that met a ball"));
+    EXPECT_THAT(trainKicker({}).error().cause, HasSubstr("holds 0 tracked kicks that met a ball"));
     const auto ended = trainKicker(plantedKicks(100), quick(), [](double) { return false; });
     ASSERT_FALSE(ended);
     EXPECT_THAT(ended.error().cause, HasSubstr("cancelled"));

@@ -57,6 +57,35 @@ MotionStep reference(const MotionNetwork& n, const MotionInput& input, int robot
     return step;
 }
 
+TEST(LearnedModel, KnowsWhereThePointLiesThatWasTrackedBefore) {
+    const auto motion = std::make_shared<const LearnedMotion>(arbitraryNetwork(MotionNetwork::Form::history));
+    const CommandHistory history = someHistory(1);
+    const TrackerOffset real{-0.05, 0.2};
+    TrackerEvidence seen;
+    for (const auto& [turn, way] : std::vector<std::pair<double, double>>{{0.3, 0.2}, {-0.2, 0.3}, {5, 0.1}, {1, 4}})
+        seen.add(turn, way, real.ahead * turn - real.rotated * way);
+    for (const char* const robot : {"b", "a", "unknown"}) {
+        const LearnedModel model(motion, robot);
+        std::vector<std::byte> memory(model.memorySize()), adapted = memory;
+        model.adapt(memory, {});
+        EXPECT_EQ(memory, adapted) << "nothing was seen";
+        model.adapt(adapted, seen);
+        for (int period = 0; period < 3; ++period) {
+            if (period == 2) model.restart(memory), model.restart(adapted);
+            const Nanoseconds now = (450 + 100 * period) * ms;
+            const MotionStep unaware = model.predictOne({&history, now, {0.1, 0.2}, memory}),
+                             aware = model.predictOne({&history, now, {0.1, 0.2}, adapted});
+            EXPECT_EQ(aware.velocity, unaware.velocity);
+            EXPECT_EQ(aware.increment.x, unaware.increment.x);
+            EXPECT_EQ(aware.increment.heading, unaware.increment.heading);
+            const TrackerOffset own = *robot == 'b' ? motion->network().identified[0].tracker : TrackerOffset{};
+            const double sideways = aware.increment.y - unaware.increment.y + own.sideways(unaware.increment);
+            // What was thought before still counts a little.
+            EXPECT_NEAR(sideways, real.sideways(unaware.increment), 0.02 * std::abs(real.sideways(unaware.increment)));
+        }
+    }
+}
+
 class LearnedModelOfBothForms : public testing::TestWithParam<MotionNetwork::Form> {};
 
 TEST_P(LearnedModelOfBothForms, PredictsWhatItsFileDefines) {

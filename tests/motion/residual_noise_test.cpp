@@ -27,6 +27,7 @@ ResidualNoise someNoise() {
     noise.scale = {0.4, 3};
     noise.horizon = 10;
     noise.rollouts = 1234;
+    noise.most = {1, 0.05, 0.08, 0.9, 0.04, 0.06, 0.01, 0.03};
     return noise;
 }
 
@@ -92,6 +93,21 @@ TEST(NoiseProcesses, NoiseIsTheSumOfItsParts) {
     EXPECT_NEAR(noise.x, scale * (x + each * (0.001 + 0.002 + 0.25 * 0.001)), 1e-15);
     EXPECT_NEAR(noise.y, scale * (y + each * (0.002 - 0.001 - 0.25 * 0.003)), 1e-15);
     EXPECT_NEAR(noise.heading, scale * (h + each * (0.003 - 0.004 - 0.25 * 0.007)), 1e-15);
+}
+
+TEST(NoiseProcesses, WhatIsMoreThanWasLearnedFromCountsAsMuchAsTheMost) {
+    const std::vector<float> values{0.5F, -2, 1.5F, 1, -1, 0.25F, 0.75F};
+    const std::vector<Pose> members(3);
+    const NoiseTraits far{0.9, 0.2, 7, 0.7, 0.5, -0.3, 0.4, -1};
+    NoiseTraits most = *someNoise().most;
+    most[0] = 0.9;
+    most[7] = -most[7];
+    const NoiseProcesses bounded(someNoise(), 3, 0.1);
+    EXPECT_EQ(bounded.noise(values, far, members), bounded.noise(values, most, members));
+    ResidualNoise any = someNoise();
+    any.most.reset();
+    const Pose noise = NoiseProcesses(any, 3, 0.1).noise(values, far, members);
+    EXPECT_NEAR(noise.y, -2 * 0.1 * 7 * std::exp(0.4 * 0.75), 1e-12) << "files from before it know no bound";
 }
 
 TEST(NoiseTraitReader, ReadsWhatAPeriodIsLike) {

@@ -1,0 +1,58 @@
+#include "assessment/tracker_history.h"
+
+#include <algorithm>
+#include <map>
+
+#include "assessment/truth_jumps.h"
+#include "geometry/elementary.h"
+#include "logs/pose_grid.h"
+
+namespace mrose {
+namespace {
+
+constexpr Nanoseconds gridStep = 100'000'000;
+constexpr std::size_t gridSteps = 5;  // in one of its own
+constexpr Nanoseconds stepLength = gridSteps * gridStep;
+constexpr double memory = 60;  // s
+
+}  // namespace
+
+TrackerHistory::TrackerHistory(const Trajectory& trajectory) {
+    const PoseGrid grid = poseGrid(trajectory, gridStep, {truthSmoothed, truthSmoothed});
+    if (grid.size() <= gridSteps) return;
+    first_ = grid.time(gridSteps) + truthSmoothed;
+    const std::vector<TruthJump> jumps =
+        truthJumps(trajectory, grid.start - truthSmoothed, trajectory.poses.back().time);
+    auto jump = jumps.begin();
+    const double kept = decay(toSeconds(stepLength) / memory);
+    TrackerEvidence evidence;
+    for (std::size_t i = 0; i + gridSteps < grid.size(); i += gridSteps) {
+        while (jump != jumps.end() && jump->after < grid.time(i) - truthSmoothed) ++jump;
+        bool known = jump == jumps.end() || jump->before > grid.time(i + gridSteps) + truthSmoothed;
+        double rotation = 0, forward = 0, sideways = 0;
+        for (std::size_t k = i; k < i + gridSteps; ++k) {
+            known = known && grid.ok[k] && grid.ok[k + 1];
+            const Pose increment = relative(grid.poses[k], grid.poses[k + 1]);
+            rotation += increment.heading;
+            forward += increment.x;
+            sideways += TrackerEvidence::sidewaysOfArc(increment);
+        }
+        evidence.fade(kept);
+        if (known) evidence.add(rotation, forward, sideways);
+        evidence_.push_back(evidence);
+    }
+}
+
+TrackerEvidence TrackerHistory::at(Nanoseconds time) const {
+    if (evidence_.empty() || time < first_) return {};
+    const auto steps = static_cast<std::size_t>((time - first_) / stepLength);
+    return evidence_[std::min(steps, evidence_.size() - 1)];
+}
+
+void fillTracked(std::span<RolloutStart> starts) {
+    std::map<const Trajectory*, TrackerHistory> known;
+    for (RolloutStart& start : starts)
+        start.tracked = known.try_emplace(start.trajectory, *start.trajectory).first->second.at(start.time);
+}
+
+}  // namespace mrose

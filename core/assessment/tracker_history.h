@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "assessment/rollout.h"
+#include "geometry/tracker_offset.h"
+#include "logs/robot_log.h"
+
+namespace mrose {
+
+/// What the ground truth of a trajectory says of where the tracked point lies on the robot, as time goes on: in steps
+/// of 0.5 s, and what is a minute old counts 1/e as much. (README.md says how these were chosen.) A step in which the
+/// truth jumps or is not known says nothing.
+class TrackerHistory {
+public:
+    explicit TrackerHistory(const Trajectory& trajectory);
+
+    /// From truth at or before `time` alone, never later.
+    TrackerEvidence at(Nanoseconds time) const;
+
+private:
+    Nanoseconds first_ = 0;                  ///< when evidence_[0] was known
+    std::vector<TrackerEvidence> evidence_;  ///< every 0.5 s
+};
+
+/// Fills in RolloutStart::tracked.
+void fillTracked(std::span<RolloutStart> starts);
+
+}  // namespace mrose

@@ -1,0 +1,87 @@
+#include "assessment/tracker_history.h"
+
+#include <gtest/gtest.h>
+
+#include "assessment/test_models.h"
+#include "support/units.h"
+
+namespace mrose {
+namespace {
+
+Command wanders(double t) { return {0.2 + 0.1 * std::sin(t), 0.6 * std::sin(0.7 * t)}; }
+
+/// The same drive, tracked by a marker that lies so; from `knocked` on otherwise.
+Trajectory trackedBy(const TrackerOffset& offset, Nanoseconds knocked = 1'000'000 * second,
+                     const TrackerOffset& after = {}) {
+    Trajectory trajectory = obedientTrajectory(3 * second, 300 * second, wanders);
+    for (StampedPose& pose : trajectory.poses) {
+        const TrackerOffset& now = pose.time < knocked ? offset : after;
+        pose.pose = pose.pose * Pose{now.ahead, 0, now.rotated};
+    }
+    return trajectory;
+}
+
+TEST(TrackerHistory, IsFoundWhileTheRobotDrives) {
+    const TrackerOffset real{-0.04, 0.03};
+    const TrackerHistory point(trackedBy(real));
+    EXPECT_TRUE(point.at(3 * second).none()) << "nothing was seen yet";
+    EXPECT_FALSE(point.at(4 * second).none());
+    for (const Nanoseconds time : {20 * second, 100 * second, 303 * second, 999 * second}) {
+        EXPECT_NEAR(point.at(time).offset().ahead, real.ahead, 1e-3);
+        EXPECT_NEAR(point.at(time).offset().rotated, real.rotated, 1e-3);
+    }
+}
+
+TEST(TrackerHistory, FollowsAMarkerThatIsKnocked) {
+    const TrackerOffset before{-0.04, 0.03}, after{0.02, -0.4};
+    const TrackerHistory point(trackedBy(before, 100 * second, after));
+    EXPECT_NEAR(point.at(99 * second).offset().rotated, before.rotated, 1e-3);
+    EXPECT_NEAR(point.at(160 * second).offset().rotated, after.rotated + (before.rotated - after.rotated) / std::exp(1),
+                0.03)
+        << "what is a minute old counts 1/e";
+    EXPECT_NEAR(point.at(290 * second).offset().rotated, after.rotated, 0.03)
+        << "the heading jumped by 25 deg, which is left out";
+}
+
+TEST(TrackerHistory, ReadsNoTruthAfterTheInstant) {
+    const Trajectory trajectory = trackedBy({-0.04, 0.03});
+    for (const Nanoseconds time : {10 * second + 3, 50 * second - 70 * ms, 50 * second}) {
+        Trajectory garbled = trajectory;
+        for (StampedPose& pose : garbled.poses)
+            if (pose.time > time) pose.pose = {-pose.pose.y, 3 * pose.pose.x, 0.9 * pose.pose.heading};
+        const TrackerOffset one = TrackerHistory(trajectory).at(time).offset(),
+                            other = TrackerHistory(garbled).at(time).offset();
+        EXPECT_EQ(one, other);
+        EXPECT_NE(TrackerHistory(garbled).at(time + 2 * second).offset(), other);
+    }
+}
+
+TEST(TrackerHistory, LeavesOutGapsAndJumps) {
+    const TrackerOffset real{-0.04, 0.03};
+    Trajectory trajectory = trackedBy(real);
+    std::erase_if(trajectory.poses, [](const StampedPose& pose) { return pose.time % (10 * second) < 300 * ms; });
+    for (StampedPose& pose : trajectory.poses)
+        if (pose.time > 150 * second && pose.time < 151 * second) pose.pose.x += 2, pose.pose.y -= 1;
+    const TrackerOffset found = TrackerHistory(trajectory).at(152 * second).offset();
+    EXPECT_NEAR(found.ahead, real.ahead, 1e-3);
+    EXPECT_NEAR(found.rotated, real.rotated, 1e-3);
+}
+
+TEST(TrackerHistory, SaysNothingWithoutTruthOrCommands) {
+    Trajectory trajectory = trackedBy({});
+    trajectory.commands.clear();
+    EXPECT_TRUE(TrackerHistory(trajectory).at(100 * second).none());
+    EXPECT_TRUE(TrackerHistory(Trajectory{}).at(0).none());
+}
+
+TEST(TrackerHistory, OfManyStartsIsThatOfEach) {
+    const Trajectory one = trackedBy({-0.04, 0.03}), other = trackedBy({0.01, -0.02});
+    std::vector<RolloutStart> starts;
+    for (int i = 0; i < 6; ++i) starts.push_back({i % 2 == 0 ? &one : &other, (20 + 7 * i) * second});
+    fillTracked(starts);
+    for (const RolloutStart& start : starts)
+        EXPECT_EQ(start.tracked.offset(), TrackerHistory(*start.trajectory).at(start.time).offset());
+}
+
+}  // namespace
+}  // namespace mrose
