@@ -158,6 +158,7 @@ int runAny(const EvaluateFlags& flags, const CommonFlags& common) {
     EvaluateSensorRequest request{flags.what.network, flags.what.log, flags.what.robots, flags.what.against};
     request.families = flags.families;
     request.command = flags.what.command;
+    if (isLocaliserFile(flags.what.network)) return runEvaluateLocaliser(request, flags.folder, common);
     return runEvaluateSensor(request, flags.folder, common);
 }
 
@@ -175,8 +176,7 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
         "  mrose evaluate create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --families --report seen\n"
         "  mrose evaluate my_kicker.net --log more_kicks\n"
         "The log should be one that the network was not learned from, or the part of it held out.\n"
-        "Sensors are those that report landmarks or robots: a learned localisation is judged by what\n"
-        "mrose train says of what it held out, and by nothing else.");
+        "Sensors are those that report landmarks or robots, and a robot's own localisation.");
     addOverwrite(*sub, common);
     sub->add_option("NET", flags->what.network, "Network file, or the name of one that ships")
         ->required()

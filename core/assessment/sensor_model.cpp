@@ -24,7 +24,8 @@ void LearnedSensorModel::distributions(std::span<const SensedState> states, cons
         if (!sensor_.inView(states[i])) to[i].threshold = never;
 }
 
-IdealSensorModel::IdealSensorModel(const SensorNetwork& like, Noise noise) : latency_(like.latency), view_(like.view) {
+IdealSensorModel::IdealSensorModel(const SensorNetwork& like, Noise noise)
+    : latency_(like.latency), view_(like.view), pose_(like.measures == SensorNetwork::Measures::pose) {
     const bool noisy = noise == Noise::constant;
     seen_.form.dimensions = like.form.dimensions;
     if (noisy) seen_.gross = like.gross;
@@ -37,7 +38,7 @@ IdealSensorModel::IdealSensorModel(const SensorNetwork& like, Noise noise) : lat
 
 void IdealSensorModel::distributions(std::span<const SensedState> states, const std::string&,
                                      std::span<ReadingDistribution> to) const {
-    for (std::size_t i = 0; i < states.size(); ++i) to[i] = ideallySeen(view_, states[i]) ? seen_ : unseen_;
+    for (std::size_t i = 0; i < states.size(); ++i) to[i] = pose_ || ideallySeen(view_, states[i]) ? seen_ : unseen_;
 }
 
 }  // namespace mrose

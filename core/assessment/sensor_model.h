@@ -8,7 +8,7 @@
 
 namespace mrose {
 
-/// Who predicts what a sensor of subjects reports: a learned sensor, or one that is thought up.
+/// Who predicts what a sensor reports: a learned sensor, or one that is thought up.
 class SensorModel {
 public:
     virtual ~SensorModel() = default;
@@ -40,7 +40,8 @@ private:
     LearnedSensor sensor_;
 };
 
-/// Reports what is in view with nothing before it: always and exactly, or with the network's constant noise.
+/// Reports what is in view with nothing before it, or its robot's pose: always and exactly, or with the network's
+/// constant noise.
 class IdealSensorModel final : public SensorModel {
 public:
     enum class Noise { none, constant };
@@ -55,6 +56,7 @@ public:
 private:
     Nanoseconds latency_;
     View view_;
+    bool pose_;
     ReadingDistribution seen_, unseen_;
 };
 

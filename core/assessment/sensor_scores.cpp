@@ -14,11 +14,6 @@ namespace {
 // Beyond it a distribution is a point, which has no density.
 constexpr double leastSpread = 1e-7;
 
-double logDensity(const ReadingDistribution& predicted, const ReadingError& error) {
-    if (predicted.component[0].spread[0] < leastSpread) return std::numeric_limits<double>::quiet_NaN();
-    return logarithm(std::max(predicted.density(error), 1e-300));
-}
-
 std::vector<CalibrationGroup> groupsOf(std::span<const LoggedCase> cases, std::span<const CaseScore> scores,
                                        std::vector<std::size_t> chosen) {
     std::ranges::stable_sort(chosen, {}, [&](std::size_t i) { return scores[i].probability; });
@@ -41,17 +36,39 @@ std::vector<CalibrationGroup> groupsOf(std::span<const LoggedCase> cases, std::s
 
 }  // namespace
 
+void ErrorScoreSum::add(double crps, double miss, double below) {
+    const double aside = std::abs(below - 0.5);
+    ++count_;
+    sum_.crps += crps;
+    sum_.rmse += miss * miss;
+    sum_.inside50 += aside <= 0.25;
+    sum_.inside90 += aside <= 0.45;
+}
+
+ErrorScores ErrorScoreSum::mean() const {
+    return {sum_.crps / count_, std::sqrt(sum_.rmse / count_), sum_.inside50 / count_, sum_.inside90 / count_};
+}
+
+double reportLogLikelihood(double probability, bool reported) {
+    constexpr double least = 1e-4;
+    const double likely = std::clamp(probability, least, 1 - least);
+    return logarithm(reported ? likely : 1 - likely);
+}
+
+double errorLogDensity(const ReadingDistribution& predicted, const ReadingError& error) {
+    if (predicted.component[0].spread[0] < leastSpread) return std::numeric_limits<double>::quiet_NaN();
+    return logarithm(std::max(predicted.density(error), 1e-300));
+}
+
 ReadingError CasePrediction::errorOf(const LoggedCase& one) const {
     return {one.measuredRange - range, wrapAngle(one.measuredBearing - bearing)};
 }
 
 CaseScore scoreOf(const LoggedCase& one, const CasePrediction& prediction) {
-    constexpr double least = 1e-4;
     const ReadingDistribution& predicted = prediction.distribution;
     CaseScore score;
     score.probability = predicted.probability();
-    const double likely = std::clamp(score.probability, least, 1 - least);
-    score.logLikelihood = logarithm(one.reported ? likely : 1 - likely);
+    score.logLikelihood = reportLogLikelihood(score.probability, one.reported);
     if (!one.sound) return score;
     const ReadingError error = prediction.errorOf(one);
     for (std::size_t d = 0; d < readingDimensions; ++d) {
@@ -61,13 +78,14 @@ CaseScore scoreOf(const LoggedCase& one, const CasePrediction& prediction) {
         score.crps[d] = rankedProbabilityScore(predicted, dimension, error[d]);
         score.below[d] = predicted.probabilityBelow(dimension, error[d]);
     }
-    score.logDensity = logDensity(predicted, error);
+    score.logDensity = errorLogDensity(predicted, error);
     return score;
 }
 
 SensorScores summarise(std::span<const LoggedCase> cases, std::span<const CaseScore> scores,
                        std::span<const std::size_t> chosen) {
     SensorScores sum;
+    std::array<ErrorScoreSum, readingDimensions> errors;
     sum.cases = chosen.size();
     for (const std::size_t i : chosen) {
         const CaseScore& score = scores[i];
@@ -76,22 +94,11 @@ SensorScores summarise(std::span<const LoggedCase> cases, std::span<const CaseSc
         if (!cases[i].sound) continue;
         ++sum.sound;
         sum.logDensity += score.logDensity;
-        for (std::size_t d = 0; d < readingDimensions; ++d) {
-            ErrorScores& error = sum.error[d];
-            const double miss = score.error[d] - score.median[d], aside = std::abs(score.below[d] - 0.5);
-            error.crps += score.crps[d];
-            error.rmse += miss * miss;
-            error.inside50 += aside <= 0.25;
-            error.inside90 += aside <= 0.45;
-        }
+        for (std::size_t d = 0; d < readingDimensions; ++d)
+            errors[d].add(score.crps[d], score.error[d] - score.median[d], score.below[d]);
     }
-    const auto sound = static_cast<double>(sum.sound);
-    for (ErrorScores& error : sum.error) {
-        for (const auto part : {&ErrorScores::crps, &ErrorScores::rmse, &ErrorScores::inside50, &ErrorScores::inside90})
-            error.*part /= sound;
-        error.rmse = std::sqrt(error.rmse);
-    }
-    sum.logDensity /= sound;
+    for (std::size_t d = 0; d < readingDimensions; ++d) sum.error[d] = errors[d].mean();
+    sum.logDensity /= static_cast<double>(sum.sound);
     sum.detection /= static_cast<double>(sum.cases);
     sum.groups = groupsOf(cases, scores, {chosen.begin(), chosen.end()});
     for (const CalibrationGroup& group : sum.groups)

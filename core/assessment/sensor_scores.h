@@ -39,6 +39,23 @@ struct ErrorScores {
     double inside50 = 0, inside90 = 0;  ///< share of the readings in the central 50 % and 90 % of what is predicted
 };
 
+/// Adds up what readings come to.
+class ErrorScoreSum {
+public:
+    /// `miss`: from the median; `below`: the probability of less than there was.
+    void add(double crps, double miss, double below);
+    ErrorScores mean() const;
+
+private:
+    double count_ = 0;
+    ErrorScores sum_;
+};
+
+/// Of whether there was a report that was this likely: 0.0001 and its complement at least.
+double reportLogLikelihood(double probability, bool reported);
+/// Of an error; not a number of a distribution without spread.
+double errorLogDensity(const ReadingDistribution& predicted, const ReadingError& error);
+
 /// Cases by how likely a report was predicted: what was predicted on average, and what there was.
 struct CalibrationGroup {
     std::size_t cases = 0;

@@ -19,6 +19,10 @@ std::optional<CsvColumn> strangeColumn(const CsvCells& cells) {
     return std::nullopt;
 }
 
+bool sameSubject(const LogSubject& one, const LogSubject& other) {
+    return one.kind == other.kind && one.robot == other.robot && one.position == other.position;
+}
+
 }  // namespace
 
 std::size_t CsvSubjects::named(std::string_view name) {
@@ -41,11 +45,14 @@ Expected<void> CsvSubjects::declare(const CsvRows& rows, const CsvCells& cells) 
         return failCell(rows, CsvColumn::robot, "a subject with a position is a landmark, no robot");
     if (robot != nullptr && !isCsvName(robot->text)) return failCell(rows, CsvColumn::robot, badCsvName);
     const std::size_t index = named(name->text);
-    if (declared_[index]) return failCell(rows, CsvColumn::subject, std::string(name->text) + " is there twice");
+    LogSubject declared = subjects_[index];
+    declared.position = x != nullptr ? std::optional(Point{x->number, y->number}) : std::nullopt;
+    if (robot != nullptr) declared.kind = LogSubject::Kind::robot, declared.robot = robot->text;
+    // Every file of a folder may say it.
+    if (declared_[index] && !sameSubject(declared, subjects_[index]))
+        return failCell(rows, CsvColumn::subject, std::string(name->text) + " is there twice, and otherwise");
     declared_[index] = true;
-    LogSubject& subject = subjects_[index];
-    if (x != nullptr) subject.position = Point{x->number, y->number};
-    if (robot != nullptr) subject.kind = LogSubject::Kind::robot, subject.robot = robot->text;
+    subjects_[index] = std::move(declared);
     return {};
 }
 

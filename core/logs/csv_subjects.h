@@ -17,7 +17,7 @@ public:
     std::size_t named(std::string_view name);
 
     /// A row without a time: it says where a landmark stands, or which robot a subject is. Error: it says something
-    /// else, or of a subject that has had such a row.
+    /// else, or of a subject of which another row has said otherwise.
     Expected<void> declare(const CsvRows& rows, const CsvCells& cells);
 
     /// The log's subjects. One that no row declares and that has the name of a robot is that robot; `incomplete` gets

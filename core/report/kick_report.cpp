@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "assessment/reading_scores.h"
-#include "drawing/svg_plot.h"
 #include "geometry/pose.h"
 #include "io/format.h"
 #include "report/kick_text.h"
 #include "report/legend.h"
+#include "report/residual_figure.h"
 
 namespace mrose {
 namespace {
@@ -37,15 +37,11 @@ double happened(const KickReport& report, const KickSample& kick, std::size_t qu
 
 std::string_view realWord(const KickReport& report) { return report.synthetic ? "logged" : "real"; }
 
-/// Each hit's quantity less its predicted median, against one of what it depends on, with where the central 90 % of
-/// what is predicted lie, in the mean of twelfths of the kicks.
-std::string residualFigure(const KickReport& report, std::size_t quantity, std::size_t input, double xFactor,
-                           const char* xTitle) {
+/// Each hit's quantity against one of what it depends on.
+std::string kickFigure(const KickReport& report, std::size_t quantity, std::size_t input, double xFactor,
+                       const char* xTitle) {
     const ShownQuantity& shown = shownQuantities[quantity];
-    struct Dot {
-        double x, off, low, high;
-    };
-    std::vector<Dot> dots;
+    std::vector<ResidualDot> dots;
     for (const KickSample& kick : report.kicks) {
         if (!kick.hit) continue;
         const ReadingDistribution predicted = predictedOf(report, kick, shown);
@@ -55,28 +51,8 @@ std::string residualFigure(const KickReport& report, std::size_t quantity, std::
                         shown.factor * (happened(report, kick, quantity) - middle),
                         shown.factor * (quantile(0.05) - middle), shown.factor * (quantile(0.95) - middle)});
     }
-    std::ranges::sort(dots, {}, &Dot::x);
-    std::vector<Point> low, high;
-    const std::size_t parts = std::min<std::size_t>(12, dots.size());
-    double most = 0;
-    for (std::size_t part = 0; part < parts; ++part) {
-        const std::size_t from = dots.size() * part / parts, to = dots.size() * (part + 1) / parts;
-        Dot mean{};
-        for (std::size_t i = from; i < to; ++i) {
-            const double share = 1 / static_cast<double>(to - from);
-            mean.x += share * dots[i].x, mean.low += share * dots[i].low, mean.high += share * dots[i].high;
-        }
-        low.push_back({mean.x, mean.low});
-        high.push_back({mean.x, mean.high});
-    }
-    for (const Dot& dot : dots) most = std::max({most, std::abs(dot.off), -dot.low, dot.high});
-    SvgPlot plot({.width = 440, .height = 300}, usable({dots.front().x, dots.back().x}), {-1.05 * most, 1.05 * most},
-                 cat(shown.name, " less its predicted median"));
-    plot.axes(xTitle, cat(shown.name, " less predicted median (", shown.unit, ")"));
-    for (const Dot& dot : dots) plot.circle({dot.x, dot.off}, 2.4, "realmark");
-    plot.line(low, "s0");
-    plot.line(high, "s0");
-    return plot.text();
+    return residualFigure(std::move(dots), cat(shown.name, " less its predicted median"), xTitle,
+                          cat(shown.name, " less predicted median (", shown.unit, ")"));
 }
 
 std::string kickScoreTable(const KickReport& report) {
@@ -141,11 +117,11 @@ std::string kickReportHtml(const KickReport& report, const ReportContext& contex
     HtmlTable facts({{"", {"", ""}}}, "words");
     addModelFacts(facts, context);
     if (!context.commandLine.empty()) facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
-    const std::string first = cat(card("Delay", residualFigure(report, 0, 0, 1, "power")),
-                                  card("Speed", residualFigure(report, 1, 0, 1, "power")));
+    const std::string first =
+        cat(card("Delay", kickFigure(report, 0, 0, 1, "power")), card("Speed", kickFigure(report, 1, 0, 1, "power")));
     const std::string second =
-        cat(card("Speed", residualFigure(report, 1, 4, 100, "ball left of the robot's middle (cm)")),
-            card("Direction", residualFigure(report, 2, 4, 100, "ball left of the robot's middle (cm)")));
+        cat(card("Speed", kickFigure(report, 1, 4, 100, "ball left of the robot's middle (cm)")),
+            card("Direction", kickFigure(report, 2, 4, 100, "ball left of the robot's middle (cm)")));
     return reportPage(
         title,
         cat(pageHead(title, escaped(report.log), {report.log, report.synthetic}, context, {}), kickTiles(report),

@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/results_json.h"
+
 namespace mrose {
 namespace {
-
-nlohmann::json finiteOrNull(double value) { return std::isfinite(value) ? nlohmann::json(value) : nullptr; }
 
 nlohmann::json printedQuantity(const KickScores::Quantity& of, const char* unit) {
     return {{std::string("crps_") + unit, of.crps}, {"inside_50", of.inside50}, {"inside_90", of.inside90}};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "assessment/metrics.h"
@@ -10,5 +12,6 @@ namespace mrose {
 
 nlohmann::ordered_json json(const Distribution& distribution);
 nlohmann::ordered_json json(const Summary& summary);
+inline nlohmann::json finiteOrNull(double value) { return std::isfinite(value) ? nlohmann::json(value) : nullptr; }
 
 }  // namespace mrose

@@ -50,6 +50,38 @@ TEST_F(EvaluateSensorProgram, ComparesNetworksWithIdealSensors) {
     expectOneLine(runMrose(words(table, {"--report", path("report")})), {"report", "--overwrite"});
 }
 
+/// A localisation that a synthetic robot reports, in two files that both say where the landmarks stand.
+TEST_F(EvaluateSensorProgram, JudgesARobotsOwnLocalisation) {
+    for (const char* const set : {"training", "held-out"}) {
+        const ProgramResult made = runMrose({"generate", "--set", set, "--sensors", "--trajectories", "12", "--seed",
+                                             set[0] == 't' ? "1" : "2", "-o", path(set), "-q"});
+        ASSERT_EQ(made.status, 0) << made.err;
+    }
+    const ProgramResult trained = runMrose({"train", path("training"), "--sensor", "localisation", "--latency", "0.1",
+                                            "-o", path("own.net"), "--epochs", "30", "--hidden", "4", "-q"});
+    ASSERT_EQ(trained.status, 0) << trained.err;
+    const ProgramResult shown =
+        runMrose({"evaluate", path("own.net"), "--log", path("held-out"), "--report", path("localised"), "-q"});
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    for (const char* text : {"(synthetic), localisation: ", "own.net", "ideal plus noise", "heading deg"})
+        EXPECT_THAT(shown.out, HasSubstr(text));
+    const auto json = nlohmann::json::parse(read("localised/results.json"));
+    ASSERT_EQ(json["models"].size(), 3u);
+    EXPECT_EQ(json["synthetic"], true);
+    EXPECT_GT(json["models"][0]["poses"], 500);
+    EXPECT_LT(json["models"][0]["ahead_m"]["crps"], json["models"][2]["ahead_m"]["crps"]) << "of an ideal one";
+    EXPECT_TRUE(json["models"][2]["pose_log_likelihood"].is_null());
+    EXPECT_THAT(read("localised/report.html"), HasSubstr("How true a learned localisation is"));
+    EXPECT_THAT(read("localised/poses.csv"), HasSubstr("error_heading_rad,expected_heading_rad"));
+    const std::string camera = learned("table");
+    expectOneLine(runMrose({"evaluate", path("own.net"), "--log", path("held-out"), "--against", camera}),
+                  {"table.net", "expected a sensor of its robot's own pose"});
+    expectOneLine(runMrose({"evaluate", path("own.net"), "--log", folder_.path()}),
+                  {"has no pose that \"localisation\" reported"});
+    expectOneLine(runMrose({"evaluate", path("own.net"), "--log", path("held-out"), "--report", path("localised")}),
+                  {"localised", "--overwrite"});
+}
+
 TEST_F(EvaluateSensorProgram, ConstantNoiseIsInTheFileToTheBit) {
     const auto network = loadSensor(learned("table"));
     ASSERT_TRUE(network) << network.error().message();
