@@ -19,7 +19,8 @@ int runPredict(PredictRequest request, const CommonFlags& common) {
         if (request.samples > 0) json["samples"] = request.samples;
         std::puts(json.dump(2).c_str());
     } else if (!common.quiet) {
-        std::printf("%s: %zu windows of %g s predicted", request.output.c_str(), predicted->windows, request.horizon);
+        std::printf("%s: %s of %g s predicted", request.output.c_str(), counted(predicted->windows, "window").c_str(),
+                    request.horizon);
         if (request.samples > 0)
             std::printf(", %s of each", counted(static_cast<std::size_t>(request.samples), "sample").c_str());
         std::puts("");

@@ -138,7 +138,7 @@ std::string verdict(const Evaluation& evaluation, const ReportContext& context) 
             fixed(100 * all.positionFinal.median, 1), "\u00a0cm and ", fixed(degrees * all.headingFinal.median, 1),
             "° from the ", evaluation.log.real(), " one (P ", percentText(all.p), ", Hd ", percentText(all.hd), "). ");
     if (const Forecast* forecast = forecastOf(evaluation))
-        text += cat("It says how far they may differ: its central 50 and 90\u00a0% hold ",
+        text += cat("It says how far they may differ: its central 50 and 90\u00a0% hold, then, ",
                     fixed(insideAtEnd(*forecast, every, 0.5), 0), " and ", fixed(insideAtEnd(*forecast, every, 0.9), 0),
                     "\u00a0%. ");
     else
@@ -147,9 +147,11 @@ std::string verdict(const Evaluation& evaluation, const ReportContext& context) 
     const auto doubted = std::count_if(context.unfamiliar.begin(), context.unfamiliar.end(),
                                        [](double share) { return share > muchUnfamiliar; });
     return text + (doubted == 0
-                       ? "Nothing of the log is driven as it was never learned."
+                       ? cat("No window has more than ", fixed(100 * muchUnfamiliar, 0),
+                             "\u00a0% that is driven as it was never learned.")
                        : cat(counted(static_cast<std::size_t>(doubted), "window"), " of ", std::to_string(every.size()),
-                             doubted == 1 ? " is" : " are", " driven as it was never learned."));
+                             doubted == 1 ? " is, for more than " : " are, for more than ",
+                             fixed(100 * muchUnfamiliar, 0), "\u00a0% of it, driven as it was never learned."));
 }
 
 }  // namespace

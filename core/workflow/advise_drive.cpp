@@ -93,7 +93,10 @@ std::vector<std::string> noticesOf(const Advice& advice, const LearnedMotion& mo
         notices.push_back(
             "the network is a single one, which does not say where it doubts: only what the logs lack counts");
     if (motion.familiar() == nullptr)
-        notices.push_back("the network's file does not say what it was learned from; mrose train makes it anew");
+        notices.push_back(
+            "the network's file does not say what driving it was learned from ([motion.familiar]); one that mrose "
+            "train "
+            "makes anew does");
     if (motion.network().synthetic) notices.push_back("the network was learned from synthetic logs");
     if (advice.limits == advice.logs)
         notices.push_back("limits are those of the logs; --forward, --backward and --turn give the robot's own");

@@ -5,6 +5,7 @@
 #include "assessment/prediction_files.h"
 #include "assessment/rollout.h"
 #include "io/file.h"
+#include "io/format.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
 #include "workflow/outputs.h"
@@ -83,6 +84,13 @@ Expected<PredictedWindows> predictWindows(const PredictRequest& request, const P
         rows.add(*predicted, k);
     }
     PredictedWindows result{starts->starts.size(), rows.text(), log->incomplete};
+    const auto beyond = static_cast<std::size_t>(std::ranges::count_if(starts->starts, [&](const RolloutStart& start) {
+        const std::vector<StampedCommand>& commands = start.trajectory->commands;
+        return commands.empty() || commands.back().time < start.time + *steps * options.step - nanosecondsPerSecond;
+    }));
+    if (beyond > 0)
+        result.notices.push_back(counted(beyond, "window") + (beyond == 1 ? " goes" : " go") +
+                                 " on for more than 1 s after the log's last command, which is held until the end.");
     for (std::string& notice : noticesOf((*motion)->network(), *log)) result.notices.push_back(std::move(notice));
     if (!request.output.empty())
         if (auto written = writeFileAtomically(request.output, result.csv); !written)

@@ -7,6 +7,7 @@
 #include "identification/learn_noise.h"
 #include "identification/recipes.h"
 #include "identification/robot_identification.h"
+#include "io/format.h"
 #include "workflow/outputs.h"
 #include "workflow/resources.h"
 
@@ -138,8 +139,28 @@ void addOrigin(MotionNetwork& network, const LearningLogs& opened, const TrainRe
     }
 }
 
-std::vector<std::string> missingOf(const std::vector<Log>& logs) {
+/// Of commands that are the same in all of the logs: nothing can be learned of others.
+std::vector<std::string> unchangedOf(const std::vector<Log>& logs) {
+    std::vector<Command> all;
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            for (const Trajectory& trajectory : robot.trajectories)
+                for (const StampedCommand& issued : trajectory.commands) all.push_back(issued.command);
     std::vector<std::string> notes;
+    if (all.empty()) return notes;
+    const auto note = [&](double Command::*const part, const char* name, const char* unit) {
+        const double first = all.front().*part;
+        if (std::ranges::any_of(all, [&](const Command& command) { return command.*part != first; })) return;
+        notes.push_back("All commands have " + std::string(name) + " = " + numberText(first) + ' ' + unit +
+                        ": how the robot answers to others cannot be learned from them.");
+    };
+    note(&Command::v, "v", "m/s");
+    note(&Command::w, "w", "rad/s");
+    return notes;
+}
+
+std::vector<std::string> missingOf(const std::vector<Log>& logs) {
+    std::vector<std::string> notes = unchangedOf(logs);
     for (const Log& log : logs) notes.insert(notes.end(), log.incomplete.begin(), log.incomplete.end());
     return notes;
 }

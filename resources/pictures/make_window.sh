@@ -10,7 +10,8 @@ cd "${1:-$here}"
 "$program" --offscreen --size 1280x640 --script "$here/corridor.lua"
 pictures="window.png window_dark.png corridor.png"
 # The real logs are not part of mrose.
-log=${MROSE_DATA:-}/mrclam/MRCLAM_Dataset6
+log=${MROSE_DATA:-}/MRCLAM_Dataset6
+[ -d "$log" ] || log=${MROSE_DATA:-}/mrclam/MRCLAM_Dataset6
 if [ -d "$log" ]; then
     "$program" --offscreen --size 1360x850 --script "$here/reality.lua" --log "$log"
     pictures="$pictures reality.png"

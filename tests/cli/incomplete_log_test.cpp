@@ -95,5 +95,33 @@ TEST_F(IncompleteLog, TrainLearnsFromTheOthers) {
     expectOneLine(runMrose({"train", half, "-o", path("b.net"), "--robots", "planted,unseen"}), {half + ": "});
 }
 
+TEST_F(IncompleteLog, TrainSaysWhichCommandsNeverChange) {
+    std::string log = "t,v_cmd,w_cmd,x,y,heading\n";
+    for (int i = 0; i < 3000; ++i) log += std::to_string(0.02 * i) + ",0.1,0.2," + std::to_string(0.002 * i) + ",0,0\n";
+    write("same.csv", log);
+    const ProgramResult ran =
+        runMrose({"train", path("same.csv"), "-o", path("same.net"), "--model", "paper", "--epochs", "3"});
+    for (const char* note :
+         {"Note: All commands have v = 0.1 m/s: how the robot answers to others cannot be learned from them.",
+          "Note: All commands have w = 0.2 rad/s"})
+        EXPECT_THAT(ran.out, HasSubstr(note));
+}
+
+TEST_F(IncompleteLog, PredictSaysWhichWindowsGoOnAfterTheLastCommand) {
+    const auto predicted = [&](const std::string& start) {
+        write("windows.csv", "dataset,robot,t_start\n0,1," + start + "\n");
+        std::string log = "t,v_cmd,w_cmd,x,y,heading,robot\n";
+        for (int i = 0; i < 1500; ++i)
+            log += std::to_string(0.02 * i) + ",0.1,0," + std::to_string(0.002 * i) + ",0,0,1\n";
+        write("log.csv", log);
+        return printed({"predict", "create.net", "--log", path("log.csv"), "--windows", path("windows.csv"), "-o",
+                        path("predicted.csv"), "--overwrite"});
+    };
+    EXPECT_THAT(predicted("25"), HasSubstr("1 window goes on for more than 1 s after the log's last command"));
+    const std::string within = predicted("15");
+    EXPECT_THAT(within, HasSubstr("1 window of 10 s predicted"));
+    EXPECT_THAT(within, Not(HasSubstr("last command")));
+}
+
 }  // namespace
 }  // namespace mrose
