@@ -13,7 +13,7 @@ namespace {
 
 void printLocaliser(const LocaliserEvaluation& evaluation) {
     const LocaliserScores& first = evaluation.scores.front();
-    std::printf("%s%s, %s: %s, %s reported, %zu of these gross errors\n\n", evaluation.log.c_str(),
+    std::printf("%s%s, %s: %s, %s reported, %zu of them gross errors\n\n", evaluation.log.c_str(),
                 evaluation.synthetic ? " (synthetic)" : "", evaluation.network.sensor.c_str(),
                 counted(first.cases, "instant").c_str(), counted(first.readings, "pose").c_str(),
                 first.readings - first.sound);

@@ -16,6 +16,7 @@ namespace mrose {
 struct LocaliserCase {
     SensedState state;  ///< pose and velocity when it was measured
     std::string robot;
+    Nanoseconds time = 0;  ///< of the report
     bool reported = false;
     bool sound = false;    ///< reported, and not a gross error
     ReadingError error{};  ///< of the pose in the robot's true frame: ahead, to the left (m), of the heading (rad)

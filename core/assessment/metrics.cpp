@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "assessment/tracker_history.h"
 #include "geometry/point.h"
 #include "world/noise.h"
 
@@ -165,6 +166,7 @@ RelativePieces relativePieces(const Log& log, std::span<const Window> windows, d
                 relative(w.truth[static_cast<std::size_t>(first)], w.truth[static_cast<std::size_t>(first + steps)]));
         }
     }
+    fillTracked(pieces.starts);
     return pieces;
 }
 

@@ -14,13 +14,15 @@ constexpr Nanoseconds gridStep = 100'000'000;
 constexpr std::size_t gridSteps = 5;  // in one of its own
 constexpr Nanoseconds stepLength = gridSteps * gridStep;
 constexpr double memory = 60;  // s
+/// After an instant of the grid: until then the poses come that it is made of, or too late for it to be any truth.
+constexpr Nanoseconds known = truthGap;
 
 }  // namespace
 
 TrackerHistory::TrackerHistory(const Trajectory& trajectory) {
     const PoseGrid grid = poseGrid(trajectory, gridStep, {truthSmoothed, truthSmoothed});
     if (grid.size() <= gridSteps) return;
-    first_ = grid.time(gridSteps) + truthSmoothed;
+    first_ = grid.time(gridSteps) + known;
     const std::vector<TruthJump> jumps =
         truthJumps(trajectory, grid.start - truthSmoothed, trajectory.poses.back().time);
     auto jump = jumps.begin();
@@ -28,17 +30,20 @@ TrackerHistory::TrackerHistory(const Trajectory& trajectory) {
     TrackerEvidence evidence;
     for (std::size_t i = 0; i + gridSteps < grid.size(); i += gridSteps) {
         while (jump != jumps.end() && jump->after < grid.time(i) - truthSmoothed) ++jump;
-        bool known = jump == jumps.end() || jump->before > grid.time(i + gridSteps) + truthSmoothed;
+        // One that ends after the step is known does not reach into it.
+        const Nanoseconds end = grid.time(i + gridSteps);
+        const bool jumped = jump != jumps.end() && jump->before <= end + truthSmoothed && jump->after <= end + known;
+        bool sound = !jumped;
         double rotation = 0, forward = 0, sideways = 0;
         for (std::size_t k = i; k < i + gridSteps; ++k) {
-            known = known && grid.ok[k] && grid.ok[k + 1];
+            sound = sound && grid.ok[k] && grid.ok[k + 1];
             const Pose increment = relative(grid.poses[k], grid.poses[k + 1]);
             rotation += increment.heading;
             forward += increment.x;
             sideways += TrackerEvidence::sidewaysOfArc(increment);
         }
         evidence.fade(kept);
-        if (known) evidence.add(rotation, forward, sideways);
+        if (sound) evidence.add(rotation, forward, sideways);
         evidence_.push_back(evidence);
     }
 }

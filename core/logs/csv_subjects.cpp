@@ -45,12 +45,12 @@ Expected<void> CsvSubjects::declare(const CsvRows& rows, const CsvCells& cells) 
         return failCell(rows, CsvColumn::robot, "a subject with a position is a landmark, no robot");
     if (robot != nullptr && !isCsvName(robot->text)) return failCell(rows, CsvColumn::robot, badCsvName);
     const std::size_t index = named(name->text);
-    LogSubject declared = subjects_[index];
-    declared.position = x != nullptr ? std::optional(Point{x->number, y->number}) : std::nullopt;
+    LogSubject declared{.name = std::string(name->text)};
+    if (x != nullptr) declared.position = Point{x->number, y->number};
     if (robot != nullptr) declared.kind = LogSubject::Kind::robot, declared.robot = robot->text;
     // Every file of a folder may say it.
     if (declared_[index] && !sameSubject(declared, subjects_[index]))
-        return failCell(rows, CsvColumn::subject, std::string(name->text) + " is there twice, and otherwise");
+        return failCell(rows, CsvColumn::subject, std::string(name->text) + " is declared twice, differently");
     declared_[index] = true;
     subjects_[index] = std::move(declared);
     return {};

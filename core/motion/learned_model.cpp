@@ -140,7 +140,7 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
         tracker.ahead += static_cast<double>(as<Memory>(input.memory).ahead);
         tracker.rotated += static_cast<double>(as<Memory>(input.memory).rotated);
     }
-    step.increment.y += tracker.sideways(step.increment);
+    if (tracker != TrackerOffset{}) step.increment.y += tracker.sideways(step.increment);
     return step;
 }
 
@@ -245,8 +245,12 @@ std::vector<MemoryEntry> LearnedModel::explain(std::span<const std::byte> memory
     std::vector<MemoryEntry> entries{{"unperturbed_v", kept.unperturbed.v, "m/s"},
                                      {"unperturbed_w", kept.unperturbed.w, "rad/s"}};
     if (kept.ahead != 0 || kept.rotated != 0) {
-        entries.push_back({"tracked_point_ahead", static_cast<double>(kept.ahead), "m"});
-        entries.push_back({"tracked_point_rotated", static_cast<double>(kept.rotated), "rad"});
+        TrackerOffset own;
+        for (const MotionNetwork::Identified& identified : network().identified)
+            if (robot_ >= 0 && identified.robot == network().robots[static_cast<std::size_t>(robot_)])
+                own = identified.tracker;
+        entries.push_back({"tracked_point_ahead", own.ahead + static_cast<double>(kept.ahead), "m"});
+        entries.push_back({"tracked_point_rotated", own.rotated + static_cast<double>(kept.rotated), "rad"});
     }
     for (MemoryEntry& entry : motion_->explainNoise(memory)) entries.push_back(std::move(entry));
     return entries;

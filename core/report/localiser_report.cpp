@@ -12,6 +12,7 @@
 #include "report/legend.h"
 #include "report/residual_figure.h"
 #include "report/results_json.h"
+#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
@@ -86,7 +87,7 @@ std::string localiserTiles(const LocaliserReport& report) {
 
 std::string posesCsv(const LocaliserReport& report, const SensorModel& model) {
     std::string text = report.synthetic ? "# synthetic: no real robot localised itself\n" : "";
-    text += "robot,x,y,heading,v,w,reported,predicted_reported,sound";
+    text += "robot,t,x,y,heading,v,w,reported,predicted_reported,sound";
     for (const ShownError& shown : shownErrors) {
         text += cat(",error_", shown.key);
         text += cat(",expected_", shown.key, ",deviation_", shown.key);
@@ -95,7 +96,7 @@ std::string posesCsv(const LocaliserReport& report, const SensorModel& model) {
     for (const LocaliserCase& one : report.cases) {
         ReadingDistribution predicted;
         model.distributions({&one.state, 1}, one.robot, {&predicted, 1});
-        text += one.robot;
+        text += cat(one.robot, ",", secondsText(one.time));
         for (const double value :
              {one.state.own.x, one.state.own.y, one.state.own.heading, one.state.velocity.v, one.state.velocity.w})
             text += cat(",", numberText(value));

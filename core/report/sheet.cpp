@@ -138,7 +138,7 @@ std::string verdict(const Evaluation& evaluation, const ReportContext& context) 
             fixed(100 * all.positionFinal.median, 1), "\u00a0cm and ", fixed(degrees * all.headingFinal.median, 1),
             "° from the ", evaluation.log.real(), " one (P ", percentText(all.p), ", Hd ", percentText(all.hd), "). ");
     if (const Forecast* forecast = forecastOf(evaluation))
-        text += cat("It says how far they may differ: its central 50 and 90\u00a0% hold, then, ",
+        text += cat("It says how far they may differ: its central 50 and 90\u00a0% then hold ",
                     fixed(insideAtEnd(*forecast, every, 0.5), 0), " and ", fixed(insideAtEnd(*forecast, every, 0.9), 0),
                     "\u00a0%. ");
     else

@@ -29,7 +29,7 @@ std::vector<LocaliserCase> casesOf(const SensorSamples& samples) {
     for (const SampledLook& look : samples.looks)
         for (std::size_t i = look.first; i < look.first + look.count; ++i) {
             const SensorCase& one = samples.cases[i];
-            cases.push_back({one.state, samples.robots[static_cast<std::size_t>(look.robot)], one.reported,
+            cases.push_back({one.state, samples.robots[static_cast<std::size_t>(look.robot)], look.time, one.reported,
                              one.reported && sound.holds(one.error), one.error});
         }
     return cases;
@@ -45,7 +45,7 @@ std::vector<std::string> noticesOf(const std::vector<LocaliserCase>& cases, cons
                           " are ten times farther off than most, and their errors are left out.");
     if (2 * found.strayPoses > found.poses)
         notices.push_back("The poses show " + fixed(std::max(0.0, 100 * found.followed), 0) +
-                          " % of how the robot truly moved: are their stamps of another clock?");
+                          " % of how the robot truly moved: are their stamps from another clock?");
     return notices;
 }
 
@@ -64,9 +64,12 @@ Expected<LocaliserEvaluation> evaluateLocaliser(const EvaluateSensorRequest& req
     evaluation.log = log->source;
     evaluation.synthetic = log->synthetic;
     evaluation.cases = casesOf(*samples);
-    for (const NamedSensorNetwork& network : *networks)
-        evaluation.scores.push_back(
-            scoreLocaliser(network.name, LearnedSensorModel(network.network), evaluation.cases));
+    for (const NamedSensorNetwork& network : *networks) {
+        // Each by its own latency.
+        const auto asked = samplesFor(network.network, *log, request.robots);
+        if (!asked) return tl::unexpected(asked.error());
+        evaluation.scores.push_back(scoreLocaliser(network.name, LearnedSensorModel(network.network), casesOf(*asked)));
+    }
     using Noise = IdealSensorModel::Noise;
     for (const auto& [name, noise] : {std::pair{"ideal plus noise", Noise::constant}, std::pair{"ideal", Noise::none}})
         evaluation.scores.push_back(scoreLocaliser(name, IdealSensorModel(*own, noise), evaluation.cases));

@@ -70,6 +70,30 @@ TEST(LocaliserScores, OfTheDistributionThatItIsAreThoseOfAPerfectForecast) {
     EXPECT_NEAR(scores.detection, reported * std::log(reported) + (1 - reported) * std::log(1 - reported), 0.01);
 }
 
+/// Of robots with biases of their own, which it knows.
+class BiasedLocaliser final : public SensorModel {
+public:
+    Nanoseconds latency() const override { return 0; }
+    View view() const override { return {}; }
+    void distributions(std::span<const SensedState> states, const std::string& robot,
+                       std::span<ReadingDistribution> to) const override {
+        NormalLocaliser().distributions(states, robot, to);
+        for (ReadingDistribution& one : to) one.component[0].mean[0] = robot == "r" ? 0.3 : -0.1;
+    }
+};
+
+TEST(LocaliserScores, BelowAndMissAreFromTheMedianOfTheRobotThatReports) {
+    std::vector<LocaliserCase> cases(4);
+    for (LocaliserCase& one : cases) one.robot = "r", one.reported = one.sound = true;
+    cases[3].robot = "other";
+    const double upper = 0.6745 * spreads[0];  // three quarters lie below
+    for (const std::size_t i : {0u, 1u, 2u}) cases[i].error[0] = 0.3 + 1.01 * upper;
+    cases[3].error[0] = -0.1 + 1.01 * upper;
+    const LocaliserScores scores = scoreLocaliser("biased", BiasedLocaliser(), cases);
+    EXPECT_EQ(scores.below[0][15], 4u);
+    EXPECT_NEAR(scores.error[0].rmse, 1.01 * upper, 1e-6);
+}
+
 TEST(LocaliserScores, OfOneThatIsTooSureAreWorse) {
     const std::vector<LocaliserCase> cases = drawnCases(5'000);
     const LocaliserScores right = scoreLocaliser("right", NormalLocaliser(), cases),

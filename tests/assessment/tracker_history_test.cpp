@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/prediction_files.h"
 #include "assessment/test_models.h"
+#include "assessment/windows.h"
 #include "support/units.h"
 
 namespace mrose {
@@ -43,28 +45,51 @@ TEST(TrackerHistory, FollowsAMarkerThatIsKnocked) {
         << "the heading jumped by 25 deg, which is left out";
 }
 
+/// At instants just before and after those at which a step becomes known, of trackers that are fast and slow.
 TEST(TrackerHistory, ReadsNoTruthAfterTheInstant) {
-    const Trajectory trajectory = trackedBy({-0.04, 0.03});
-    for (const Nanoseconds time : {10 * second + 3, 50 * second - 70 * ms, 50 * second}) {
-        Trajectory garbled = trajectory;
-        for (StampedPose& pose : garbled.poses)
-            if (pose.time > time) pose.pose = {-pose.pose.y, 3 * pose.pose.x, 0.9 * pose.pose.heading};
-        const TrackerOffset one = TrackerHistory(trajectory).at(time).offset(),
-                            other = TrackerHistory(garbled).at(time).offset();
-        EXPECT_EQ(one, other);
-        EXPECT_NE(TrackerHistory(garbled).at(time + 2 * second).offset(), other);
+    for (const Nanoseconds between : {20 * ms, 160 * ms}) {
+        Trajectory trajectory = trackedBy({-0.04, 0.03});
+        std::erase_if(trajectory.poses, [&](const StampedPose& pose) { return pose.time % between != 0; });
+        for (Nanoseconds time = 49 * second; time < 50 * second; time += 10 * ms + 3) {
+            Trajectory garbled = trajectory, jumping = trajectory, ending = trajectory;
+            for (StampedPose& pose : garbled.poses)
+                if (pose.time > time) pose.pose = {-pose.pose.y, 1.01 * pose.pose.x, 0.99 * pose.pose.heading};
+            for (StampedPose& pose : jumping.poses)
+                if (pose.time > time) pose.pose.x += 5;
+            std::erase_if(ending.poses,
+                          [&](const StampedPose& pose) { return pose.time > time && pose.time < time + 5 * second; });
+            const TrackerOffset offset = TrackerHistory(trajectory).at(time).offset();
+            EXPECT_EQ(TrackerHistory(garbled).at(time).offset(), offset) << time;
+            EXPECT_EQ(TrackerHistory(jumping).at(time).offset(), offset) << time;
+            EXPECT_EQ(TrackerHistory(ending).at(time).offset(), offset) << time;
+            EXPECT_NE(TrackerHistory(garbled).at(time + 2 * second).offset(), offset);
+        }
     }
 }
 
 TEST(TrackerHistory, LeavesOutGapsAndJumps) {
     const TrackerOffset real{-0.04, 0.03};
     Trajectory trajectory = trackedBy(real);
-    std::erase_if(trajectory.poses, [](const StampedPose& pose) { return pose.time % (10 * second) < 300 * ms; });
+    std::erase_if(trajectory.poses, [](const StampedPose& pose) { return pose.time % (10 * second) < 4 * second; });
     for (StampedPose& pose : trajectory.poses)
-        if (pose.time > 150 * second && pose.time < 151 * second) pose.pose.x += 2, pose.pose.y -= 1;
-    const TrackerOffset found = TrackerHistory(trajectory).at(152 * second).offset();
+        if (pose.time > 155 * second && pose.time < 156 * second) pose.pose.x += 2, pose.pose.y -= 1;
+    const TrackerOffset found = TrackerHistory(trajectory).at(158 * second).offset();
     EXPECT_NEAR(found.ahead, real.ahead, 1e-3);
     EXPECT_NEAR(found.rotated, real.rotated, 1e-3);
+}
+
+TEST(TrackerHistory, IsKnownToAllPredictionsOfALog) {
+    const Log log = logOf({trackedBy({-0.04, 0.03})});
+    const auto windows = findWindows(log);
+    ASSERT_TRUE(windows) << windows.error().message();
+    const std::vector<RolloutStart> starts = rolloutStarts(log, *windows);
+    for (std::size_t i = 1; i < starts.size(); ++i) EXPECT_NEAR(starts[i].tracked.offset().rotated, 0.03, 1e-3);
+    const std::vector<WindowRequest> requests{{0, "r", "", 50 * second, 2}};
+    const auto requested = requestedStarts(log, requests, 10, "windows.csv");
+    ASSERT_TRUE(requested) << requested.error().message();
+    EXPECT_NEAR(requested->starts[0].tracked.offset().rotated, 0.03, 1e-3);
+    const RelativePieces pieces = relativePieces(log, std::span(*windows).subspan(1), 2, 100 * ms);
+    EXPECT_NEAR(pieces.starts.at(0).tracked.offset().rotated, 0.03, 1e-3);
 }
 
 TEST(TrackerHistory, SaysNothingWithoutTruthOrCommands) {

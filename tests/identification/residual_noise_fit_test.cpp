@@ -68,6 +68,10 @@ TEST(ResidualNoiseFit, ForecastsAsWellAsThePlantedNoise) {
     const ResidualNoise found = fitResidualNoise(plantedRollouts(600, planted), period);
     EXPECT_EQ(found.rollouts, 600);
     EXPECT_NEAR(found.horizon, 5, 1e-12);
+    ASSERT_TRUE(found.most);
+    for (const auto& [trait, most] : {std::pair{NoiseTrait::moving, 1.0}, std::pair{NoiseTrait::distance, 0.04},
+                                      std::pair{NoiseTrait::rotation, 0.08}, std::pair{NoiseTrait::headingChange, 0.0}})
+        EXPECT_NEAR((*found.most)[static_cast<std::size_t>(trait)], most, 1e-12);
     const ResidualRollouts others = plantedRollouts(900, planted, 78);
     const auto loss = [&](const ResidualNoise& noise) { return residualLoss(noise, others, period, {.seed = 5}); };
     const double best = loss(planted);

@@ -172,7 +172,7 @@ TEST_F(CsvSensorsTest, EachWrongScanIsSaidByFileLineAndColumn) {
 
 TEST_F(CsvSensorsTest, WrongSubjectsAreSaidByFileLineAndColumn) {
     const auto subjects = [&](const std::string& rows) { return messageOf(rows); };
-    EXPECT_EQ(subjects("subject,x,y\n6,1,2\n6,1,3\n"), "sensors.csv:3: subject: 6 is there twice, and otherwise");
+    EXPECT_EQ(subjects("subject,x,y\n6,1,2\n6,1,3\n"), "sensors.csv:3: subject: 6 is declared twice, differently");
     EXPECT_EQ(subjects("subject,x,y\n6,1,2\n6,1,2\n"), subjects("subject,x,y\n6,1,2\n"))
         << "as each file of a folder may say";
     EXPECT_EQ(subjects("subject,x,y\n6,1,\n"), "sensors.csv:2: y: the cell is empty");

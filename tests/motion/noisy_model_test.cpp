@@ -40,6 +40,22 @@ TEST(NoisyModel, AddsTheDrawsOfItsKeyToWayAndTurn) {
     EXPECT_EQ(step.velocity, mean.velocity);
 }
 
+TEST(NoisyModel, ItsMemoryIsTheOthersAndKnowsWhatItKnows) {
+    const auto learned = std::make_shared<const LearnedModel>(
+        std::make_shared<const LearnedMotion>(arbitraryNetwork(MotionNetwork::Form::history)), "a");
+    const auto noisy = withNoise(learned, noise);
+    TrackerEvidence seen;
+    seen.add(1, 0, 0.2);
+    seen.add(0, 1, 0.1);
+    std::vector<std::byte> one(learned->memorySize()), other = one;
+    learned->adapt(one, seen);
+    EXPECT_NE(one, other);
+    noisy->adapt(other, seen);
+    EXPECT_EQ(one, other);
+    noisy->restart(other);
+    EXPECT_EQ(one, other) << "where the tracked point lies stays";
+}
+
 TEST(NoisyModel, IsTheMeanWhereNothingIsDrawn) {
     CommandHistory history;
     history.issue(0, {0.5, -0.8});
