@@ -146,12 +146,11 @@ std::string verdict(const Evaluation& evaluation, const ReportContext& context) 
     if (context.unfamiliar.empty()) return text + "It does not know where it was learned.";
     const auto doubted = std::count_if(context.unfamiliar.begin(), context.unfamiliar.end(),
                                        [](double share) { return share > muchUnfamiliar; });
-    return text + (doubted == 0
-                       ? cat("No window has more than ", fixed(100 * muchUnfamiliar, 0),
-                             "\u00a0% that is driven as it was never learned.")
-                       : cat(counted(static_cast<std::size_t>(doubted), "window"), " of ", std::to_string(every.size()),
-                             doubted == 1 ? " is, for more than " : " are, for more than ",
-                             fixed(100 * muchUnfamiliar, 0), "\u00a0% of it, driven as it was never learned."));
+    const std::string share = cat(fixed(100 * muchUnfamiliar, 0), "\u00a0%");
+    if (doubted == 0) return text + cat("No window has more than ", share, " that is driven as it was never learned.");
+    return text + cat(counted(static_cast<std::size_t>(doubted), "window"), " of ", std::to_string(every.size()),
+                      doubted == 1 ? " has" : " have", " more than ", share,
+                      " that is driven as it was never learned.");
 }
 
 }  // namespace

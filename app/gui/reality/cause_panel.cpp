@@ -195,7 +195,7 @@ void CausePanel::makeCauses() {
     connect(causes_->header(), &QHeaderView::sectionResized, causes_, [this] { causes_->doItemsLayout(); });
     causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
     causes_->setItemDelegateForColumn(0, new WrappedName(causes_));
-    // Always the same: the list of rollouts above keeps its room while causes are looked for.
+    // Always the same: the list of rollouts above keeps its room.
     const int line = causes_->fontMetrics().height() + 5;
     causes_->setFixedHeight((shownLines + 1) * line + 6);
     connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
@@ -238,8 +238,9 @@ void CausePanel::refresh() {
                           .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
-    // Few leave: of the others the list has the room.
-    why_->setVisible(divergence.has_value());
+    // From the first that leaves on, nothing moves from rollout to rollout; before, the list has the room.
+    if (divergence) whyOf_ = overlay_.rollouts().log();
+    why_->setVisible(whyOf_.lock() == overlay_.rollouts().log());
     if (!divergence)
         divergence_->setText(!row->position ? QString()
                              : row->bound.source == BoundSource::noise

@@ -48,7 +48,8 @@ private:
     QCheckBox* learned_;
     QLabel* inForce_;  ///< the bound that grows with the way
     QTreeWidget* causes_;
-    QWidget* why_;  ///< it leaves
+    QWidget* why_;                          ///< it leaves
+    std::weak_ptr<const PlayedLog> whyOf_;  ///< the log of which a rollout that leaves has been shown
     bool filling_ = false;
 };
 
