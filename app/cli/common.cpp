@@ -26,7 +26,7 @@ CLI::App* addSubcommand(CLI::App& app, CommonFlags& flags, const std::string& na
                         const std::string& examples) {
     CLI::App* sub = app.add_subcommand(name, description);
     sub->footer("Examples:\n" + examples);
-    sub->add_flag("-q,--quiet", flags.quiet, "No progress, nor what a file that is written says itself");
+    sub->add_flag("-q,--quiet", flags.quiet, "No progress, and no summary of a file that is written");
     sub->add_flag("--json", flags.json, "Print the result as JSON");
     return sub;
 }

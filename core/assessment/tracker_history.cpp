@@ -13,26 +13,27 @@ namespace {
 constexpr Nanoseconds gridStep = 100'000'000;
 constexpr std::size_t gridSteps = 5;  // in one of its own
 constexpr Nanoseconds stepLength = gridSteps * gridStep;
-constexpr double memory = 60;  // s
-/// After an instant of the grid: until then the poses come that it is made of, or too late for it to be any truth.
-constexpr Nanoseconds known = truthGap;
+constexpr double forgetting = 60;  // s
+/// From an instant of the grid until it is known: poses that are part of its truth come by then, or there is none.
+constexpr Nanoseconds untilKnown = truthGap;
 
 }  // namespace
 
 TrackerHistory::TrackerHistory(const Trajectory& trajectory) {
     const PoseGrid grid = poseGrid(trajectory, gridStep, {truthSmoothed, truthSmoothed});
     if (grid.size() <= gridSteps) return;
-    first_ = grid.time(gridSteps) + known;
+    first_ = grid.time(gridSteps) + untilKnown;
     const std::vector<TruthJump> jumps =
         truthJumps(trajectory, grid.start - truthSmoothed, trajectory.poses.back().time);
     auto jump = jumps.begin();
-    const double kept = decay(toSeconds(stepLength) / memory);
+    const double kept = decay(toSeconds(stepLength) / forgetting);
     TrackerEvidence evidence;
     for (std::size_t i = 0; i + gridSteps < grid.size(); i += gridSteps) {
         while (jump != jumps.end() && jump->after < grid.time(i) - truthSmoothed) ++jump;
         // One that ends after the step is known does not reach into it.
         const Nanoseconds end = grid.time(i + gridSteps);
-        const bool jumped = jump != jumps.end() && jump->before <= end + truthSmoothed && jump->after <= end + known;
+        const bool jumped =
+            jump != jumps.end() && jump->before <= end + truthSmoothed && jump->after <= end + untilKnown;
         bool sound = !jumped;
         double rotation = 0, forward = 0, sideways = 0;
         for (std::size_t k = i; k < i + gridSteps; ++k) {
@@ -55,9 +56,9 @@ TrackerEvidence TrackerHistory::at(Nanoseconds time) const {
 }
 
 void fillTracked(std::span<RolloutStart> starts) {
-    std::map<const Trajectory*, TrackerHistory> known;
+    std::map<const Trajectory*, TrackerHistory> histories;
     for (RolloutStart& start : starts)
-        start.tracked = known.try_emplace(start.trajectory, *start.trajectory).first->second.at(start.time);
+        start.tracked = histories.try_emplace(start.trajectory, *start.trajectory).first->second.at(start.time);
 }
 
 }  // namespace mrose

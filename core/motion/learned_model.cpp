@@ -78,9 +78,7 @@ std::size_t LearnedMotion::memorySize(MotionDraw draw) const {
 
 void LearnedMotion::adapt(int robot, std::span<std::byte> memory, const TrackerEvidence& seen) const {
     if (seen.none()) return;
-    const bool known = robot >= 0;
-    const TrackerOffset own = known ? trackers_[static_cast<std::size_t>(robot)] : TrackerOffset{};
-    const TrackerOffset now = seen.offset(known ? own : usualTracker_);
+    const TrackerOffset own = tracker(robot), now = seen.offset(robot >= 0 ? own : usualTracker_);
     as<Memory>(memory).ahead = static_cast<float>(now.ahead - own.ahead);
     as<Memory>(memory).rotated = static_cast<float>(now.rotated - own.rotated);
 }
@@ -135,12 +133,12 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
         step.increment.y += noise->y;
         step.increment.heading += noise->heading;
     }
-    TrackerOffset tracker = robot >= 0 ? trackers_[static_cast<std::size_t>(robot)] : TrackerOffset{};
+    TrackerOffset offset = tracker(robot);
     if (!input.memory.empty()) {
-        tracker.ahead += static_cast<double>(as<Memory>(input.memory).ahead);
-        tracker.rotated += static_cast<double>(as<Memory>(input.memory).rotated);
+        offset.ahead += static_cast<double>(as<Memory>(input.memory).ahead);
+        offset.rotated += static_cast<double>(as<Memory>(input.memory).rotated);
     }
-    if (tracker != TrackerOffset{}) step.increment.y += tracker.sideways(step.increment);
+    if (offset != TrackerOffset{}) step.increment.y += offset.sideways(step.increment);
     return step;
 }
 
@@ -245,10 +243,7 @@ std::vector<MemoryEntry> LearnedModel::explain(std::span<const std::byte> memory
     std::vector<MemoryEntry> entries{{"unperturbed_v", kept.unperturbed.v, "m/s"},
                                      {"unperturbed_w", kept.unperturbed.w, "rad/s"}};
     if (kept.ahead != 0 || kept.rotated != 0) {
-        TrackerOffset own;
-        for (const MotionNetwork::Identified& identified : network().identified)
-            if (robot_ >= 0 && identified.robot == network().robots[static_cast<std::size_t>(robot_)])
-                own = identified.tracker;
+        const TrackerOffset own = motion_->tracker(robot_);
         entries.push_back({"tracked_point_ahead", own.ahead + static_cast<double>(kept.ahead), "m"});
         entries.push_back({"tracked_point_rotated", own.rotated + static_cast<double>(kept.rotated), "rad"});
     }

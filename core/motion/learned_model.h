@@ -42,6 +42,11 @@ public:
     /// What the noise remembers, for people.
     std::vector<MemoryEntry> explainNoise(std::span<const std::byte> memory) const;
 
+    /// How the tracked point lies on the robot of this index, as far as the network knows; none of one that it does
+    /// not.
+    TrackerOffset tracker(int robot) const {
+        return robot >= 0 ? trackers_[static_cast<std::size_t>(robot)] : TrackerOffset{};
+    }
     /// What a memory takes over of what was seen of its robot before: MotionModel::adapt.
     void adapt(int robot, std::span<std::byte> memory, const TrackerEvidence& seen) const;
 

@@ -21,12 +21,14 @@ constexpr const char* localiserFiles[] = {"report.html", "results.json", "poses.
 
 /// One error of a pose, as pages show it.
 struct ShownError {
-    const char *name, *unit;
-    double factor;  ///< to that unit
+    const char *name, *phrase, *unit;  ///< "heading", "error of the heading", "°"
+    double factor;                     ///< to that unit
     const char* key;
 };
 constexpr std::array<ShownError, LocaliserScores::dimensions> shownErrors{
-    {{"ahead", "cm", 100, "ahead_m"}, {"to the left", "cm", 100, "left_m"}, {"heading", "°", degrees, "heading_rad"}}};
+    {{"ahead", "error ahead", "cm", 100, "ahead_m"},
+     {"to the left", "error to the left", "cm", 100, "left_m"},
+     {"heading", "error of the heading", "°", degrees, "heading_rad"}}};
 
 std::string_view loggedWord(const LocaliserReport& report) { return report.synthetic ? "logged" : "real"; }
 
@@ -51,8 +53,8 @@ std::string poseErrorFigure(const LocaliserReport& report, const SensorModel& mo
         dots.push_back({xOf(one.state), shown.factor * (one.error[dimension] - middle),
                         shown.factor * (quantile(0.05) - middle), shown.factor * (quantile(0.95) - middle)});
     }
-    return residualFigure(std::move(dots), cat("Error ", shown.name, " less its predicted median"), xTitle,
-                          cat("error ", shown.name, " less median (", shown.unit, ")"));
+    return residualFigure(std::move(dots), cat(capitalised(shown.phrase), " less its predicted median"), xTitle,
+                          cat(shown.phrase, " less median (", shown.unit, ")"));
 }
 
 std::string localiserTable(const LocaliserReport& report) {
@@ -88,10 +90,8 @@ std::string localiserTiles(const LocaliserReport& report) {
 std::string posesCsv(const LocaliserReport& report, const SensorModel& model) {
     std::string text = report.synthetic ? "# synthetic: no real robot localised itself\n" : "";
     text += "robot,t,x,y,heading,v,w,reported,predicted_reported,sound";
-    for (const ShownError& shown : shownErrors) {
-        text += cat(",error_", shown.key);
-        text += cat(",expected_", shown.key, ",deviation_", shown.key);
-    }
+    for (const ShownError& shown : shownErrors)
+        text += cat(",error_", shown.key, ",expected_", shown.key, ",deviation_", shown.key);
     text += '\n';
     for (const LocaliserCase& one : report.cases) {
         ReadingDistribution predicted;
