@@ -12,6 +12,7 @@ void printJson(const Advice& advice, const AdviseRequest& request) {
     const AdvisedDrive& drive = advice.drive;
     nlohmann::json json{{"duration_s", drive.duration},
                         {"manoeuvres", drive.manoeuvres.size()},
+                        {"rest_s", advice.rest},
                         {"limits",
                          {{"forward_mps", advice.limits.mostV},
                           {"backward_mps", 0 - advice.limits.leastV},
@@ -40,7 +41,7 @@ void print(const Advice& advice, const AdviseRequest& request) {
                 limitsText(advice.limits).c_str());
     std::printf("needs %s; leave room, for that is a guess where the network has not learned\n",
                 spaceText(drive).c_str());
-    for (const AdviceReason& reason : advice.reasons) std::printf("  %s\n", reasonText(advice, reason).c_str());
+    for (const std::string& part : partTexts(advice)) std::printf("  %s\n", part.c_str());
     std::printf(
         "a random drive within the limits is %.2f from the nearest that is known, and %.2f once this one is (1: the "
         "standard deviation of commands spread evenly over the limits)\n",

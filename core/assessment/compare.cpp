@@ -70,6 +70,7 @@ ComparedRollout realRollout(const LogWorld& world, const RolloutRequest& request
     if (start) {
         real.measuredPose = start->pose;
         real.measuredVelocity = start->velocity;
+        rollout.tracked = start->tracked;
     }
     const bool moves = measureTravel(real, options);
     const bool gap = std::isnan(real.pathBySteps) || gapBefore(trajectory, real.start, options.step);

@@ -224,7 +224,7 @@ LogWorld::OpenedParts LogWorld::partsAt(std::size_t session, Nanoseconds start, 
         fillVelocities(parts.scene.modelOf(body), {&*measured, 1});
         SceneRobot& robot = parts.scene.robots[body];
         robot.start = measured->pose;
-        robot.velocity = *measured->velocity;
+        robot.velocity = measured->velocity->velocity;
         robot.tracked = measured->tracked;
         robot.phase = 0;
         parts.controllers[body] = player(*measured, duration, parts.controllers[body]->attention());

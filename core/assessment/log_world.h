@@ -76,8 +76,8 @@ public:
     /// then; the other bodies begin as the scenario says.
     Opened openAt(std::size_t session, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const;
 
-    /// What that world is made of, for callers that change something in it. Velocities that are not measured are filled
-    /// in in the scene, but not in `starts`.
+    /// What that world is made of, for callers that change something in it. The scene has the velocities that
+    /// fillVelocities() makes of the measured ones in `starts`.
     struct OpenedParts {
         ScenarioParts parts;
         std::vector<std::optional<RolloutStart>> starts;  ///< as in Opened

@@ -1,6 +1,7 @@
 #include "assessment/rollout.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "io/format.h"
@@ -85,7 +86,7 @@ void rollOutBatch(const MotionModel& model, std::span<const RolloutStart> starts
     for (const std::size_t i : order) {
         runners.push_back(prepare(model, starts[i], starts[i].time, options.lead));
         runners.back().pose = starts[i].pose;
-        runners.back().velocity = *starts[i].velocity;
+        runners.back().velocity = starts[i].velocity->velocity;
         poses[i].reserve(static_cast<std::size_t>(std::max(0, starts[i].steps)));
     }
     std::vector<MotionInput> inputs;
@@ -115,22 +116,26 @@ std::vector<StampedCommand> commandsRead(const RolloutStart& start, Nanoseconds 
 }
 
 void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, const RolloutOptions& options) {
-    const Nanoseconds periods = (options.lead + model.period() - 1) / model.period();
-    const Nanoseconds begin = -periods * model.period();
-    std::vector<Runner> runners;
-    std::vector<RolloutStart*> unknown;
+    const Nanoseconds period = model.period();
+    std::map<Nanoseconds, std::vector<RolloutStart*>> earlier;  // by how many periods
     for (RolloutStart& start : starts) {
-        if (start.velocity) continue;
-        unknown.push_back(&start);
-        runners.push_back(prepare(model, start, start.time + begin, options.lead));
+        const Nanoseconds before = start.velocity ? start.time - start.velocity->time + period / 2  // to the nearest
+                                                  : options.lead + period - 1;
+        earlier[before / period].push_back(&start);
     }
-    if (runners.empty()) return;
-    std::vector<MotionInput> inputs;
-    std::vector<MotionStep> steps;
     RolloutOptions mean = options;
     mean.seed.reset();
-    for (Nanoseconds i = 0; i < periods; ++i) advance(model, runners, begin + i * model.period(), mean, inputs, steps);
-    for (std::size_t i = 0; i < unknown.size(); ++i) unknown[i]->velocity = runners[i].velocity;
+    std::vector<MotionInput> inputs;
+    std::vector<MotionStep> steps;
+    for (const auto& [periods, group] : earlier) {
+        std::vector<Runner> runners;
+        for (RolloutStart* start : group) {
+            runners.push_back(prepare(model, *start, start->time - periods * period, options.lead));
+            if (start->velocity) runners.back().velocity = start->velocity->velocity;
+        }
+        for (Nanoseconds i = -periods; i < 0; ++i) advance(model, runners, i * period, mean, inputs, steps);
+        for (std::size_t i = 0; i < group.size(); ++i) group[i]->velocity = {group[i]->time, runners[i].velocity};
+    }
 }
 
 Expected<std::vector<std::vector<Pose>>> rollOut(const MotionModel& model, std::span<const RolloutStart> starts,

@@ -17,8 +17,10 @@ namespace mrose {
 struct RolloutStart {
     const Trajectory* trajectory = nullptr;  ///< its commands; its poses are not read
     Nanoseconds time = 0;
-    Pose pose;                         ///< at `time`
-    std::optional<Velocity> velocity;  ///< at `time`; unknown: what the model itself reaches over RolloutOptions::lead
+    Pose pose;  ///< at `time`
+    /// At `time` or before, from when on the model carries it on; unknown: what the model reaches over
+    /// RolloutOptions::lead.
+    std::optional<StampedVelocity> velocity;
     int steps = 0;
     TrackerEvidence tracked;  ///< from what was seen before `time`
     std::uint32_t body = 0;   ///< which robot of a world it is, for what is random
@@ -36,7 +38,8 @@ struct RolloutOptions {
 std::vector<StampedCommand> commandsRead(const RolloutStart& start, Nanoseconds until,
                                          const RolloutOptions& options = {});
 
-/// Fills in the velocities that are not known: what the model reaches from standstill over the lead.
+/// Makes all velocities those of the starts' time: earlier ones are carried on by the model, to the nearest period;
+/// those that are not known are what it reaches from standstill over the lead.
 void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, const RolloutOptions& options = {});
 
 /// Predicted poses, one list per start, `steps` long, in the frame of the start's pose. Starts advance together,

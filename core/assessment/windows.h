@@ -24,9 +24,9 @@ struct WindowOptions {
 struct Window {
     std::size_t robot = 0, trajectory = 0;  ///< indices into Log::robots and RobotLog::trajectories
     Nanoseconds start = 0;
-    std::vector<Pose> truth;                   ///< at start, start + step, ...: steps() + 1 poses, heading continuous
-    Pose measuredPose;                         ///< at the start, from truth at or before it alone
-    std::optional<Velocity> measuredVelocity;  ///< likewise; none where truth does not reach back before the start
+    std::vector<Pose> truth;  ///< at start, start + step, ...: steps() + 1 poses, heading continuous
+    Pose measuredPose;        ///< at the start, from truth at or before it alone
+    std::optional<StampedVelocity> measuredVelocity;  ///< likewise; none where truth does not reach back before it
     double path = 0, rotation = 0;  ///< m, rad; summed over 0.5 s steps, because a wobble inflates shorter ones
     double pathBySteps = 0;         ///< m; summed over the steps of `truth`, wobble and all
     Manoeuvre manoeuvre = Manoeuvre::straight;

@@ -49,18 +49,6 @@ Expected<bool> BranchRecord::learn(const Timeline& timeline, std::int64_t ticks)
     return last() < timeline.last();
 }
 
-namespace {
-
-/// When a kick acts that was commanded in the last tick: as it waits for it, unless it has acted at once.
-Nanoseconds dueOf(const Kick& kick, std::uint32_t robot, const WorldState& after, const Scene& scene) {
-    const auto found = std::find_if(after.kicks.rbegin(), after.kicks.rend(), [&](const PendingKick& pending) {
-        return pending.robot == robot && pending.manipulator == kick.manipulator;
-    });
-    return found != after.kicks.rend() ? found->due : scene.timeOf(after.tick - 1);
-}
-
-}  // namespace
-
 void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
     track_.add(after);
     const auto mark = [&](TimelineMark::Kind kind, std::uint32_t body, std::uint32_t other) {
@@ -68,9 +56,13 @@ void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
     };
     for (const TouchCounter::Pair& pair : touches_.add(trace))
         mark(TimelineMark::Kind::contact, pair.first, pair.second);
-    for (const StepTrace::Kicked& kick : trace.kicks)
+    for (const PendingKick& kick : trace.orderedKicks)
+        orderedKicks_.push_back({after.tick - 1, kick.robot, kick.manipulator, kick.due});
+    for (const StepTrace::Kicked& kick : trace.kicks) {
+        carriedOutKicks_.push_back({after.tick - 1, kick.robot, kick.manipulator, kick.due});
         mark(TimelineMark::Kind::kick, kick.robot,
              kick.hit ? static_cast<std::uint32_t>(after.robots.size()) + kick.object : noBody);
+    }
     for (const std::uint32_t goal : trace.goals) mark(TimelineMark::Kind::goal, 0, goal);
     for (const StepTrace::Fault& fault : trace.faults) {
         mark(TimelineMark::Kind::fault, fault.robot, noBody);
@@ -79,15 +71,9 @@ void BranchRecord::note(const WorldState& after, const StepTrace& trace) {
         });
         if (!known && faults_.size() < mostFaults) faults_.push_back({after.tick, fault.robot, fault.what});
     }
-    const Scene& scene = setup_->scene();
     for (std::uint32_t robot = 0; robot < trace.robots.size(); ++robot) {
         const StepTrace::Robot& traced = trace.robots[robot];
-        if (!traced.decided) continue;
-        if (!traced.decision.breakReason.empty()) mark(TimelineMark::Kind::stop, robot, noBody);
-        const std::size_t manipulators = scene.typeOf(robot).manipulators.size();
-        for (const Kick& kick : traced.decision.kicks)
-            if (kick.manipulator < manipulators)
-                kickOrders_.push_back({after.tick - 1, robot, kick.manipulator, dueOf(kick, robot, after, scene)});
+        if (traced.decided && !traced.decision.breakReason.empty()) mark(TimelineMark::Kind::stop, robot, noBody);
     }
 }
 

@@ -22,9 +22,9 @@ struct HandOrder {
     std::vector<Kick> kicks;  ///< at its first control instant
 };
 
-/// A kick as a robot's controller ordered it.
-struct KickOrder {
-    std::int64_t tick = 0;  ///< of the state in which it was decided
+/// That a controller ordered a kick, or that the robot carried it out.
+struct KickEvent {
+    std::int64_t tick = 0;  ///< in which it happened: that of the state before
     std::uint32_t robot = 0, manipulator = 0;
     Nanoseconds due = 0;  ///< when it is carried out, if the manipulator is ready
 };
@@ -41,7 +41,8 @@ public:
     const PoseTrack& track() const { return track_; }
     PoseTrack& track() { return track_; }
     const std::vector<TimelineMark>& marks() const { return marks_; }
-    const std::vector<KickOrder>& kickOrders() const { return kickOrders_; }
+    const std::vector<KickEvent>& orderedKicks() const { return orderedKicks_; }
+    const std::vector<KickEvent>& carriedOutKicks() const { return carriedOutKicks_; }
     /// When a robot first had a fault of these words.
     struct FirstFault {
         std::int64_t tick = 0;  ///< of the state after it
@@ -80,7 +81,7 @@ private:
     mutable Playback playback_;  ///< how it reaches a tick makes no difference
     PoseTrack track_;
     std::vector<TimelineMark> marks_;
-    std::vector<KickOrder> kickOrders_;
+    std::vector<KickEvent> orderedKicks_, carriedOutKicks_;
     std::vector<FirstFault> faults_;
     TouchCounter touches_;
     ReachedState end_;

@@ -9,7 +9,7 @@ namespace mrose {
 
 /// The decision that led to a kick: where, and when it came about.
 struct KickCause {
-    KickOrder order;
+    KickEvent order;
     std::int64_t kicked = 0;  ///< tick of the state after it
 };
 /// Of the last kick up to the shown tick; nullopt: there was none.

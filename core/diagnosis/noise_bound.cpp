@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assessment/tracker_history.h"
 #include "geometry/angle.h"
 #include "geometry/normal_distribution.h"
 
@@ -78,9 +77,12 @@ double exceededBy(double share, const std::vector<double>& values) {
 
 DivergenceBound noiseBound(const LearnedModel& model, const Trajectory& trajectory, const ComparedRollout& rollout,
                            Nanoseconds step, Nanoseconds held, const NoiseBoundOptions& options) {
-    RolloutStart start{&trajectory, rollout.real.start, rollout.real.measuredPose, rollout.real.measuredVelocity,
-                       static_cast<int>(rollout.simulated.size())};
-    fillTracked({&start, 1});
+    const RolloutStart start{&trajectory,
+                             rollout.real.start,
+                             rollout.real.measuredPose,
+                             rollout.real.measuredVelocity,
+                             static_cast<int>(rollout.simulated.size()),
+                             rollout.tracked};
     DivergenceBound bound;
     bound.held = held;
     bound.source = BoundSource::noise;

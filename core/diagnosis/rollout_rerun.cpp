@@ -77,7 +77,7 @@ RolloutRerun::Poses RolloutRerun::withCommands(const std::function<void(Trajecto
         start.trajectory = &edited;
         opened.parts.controllers[body] = LogWorld::player(start, duration);
         fillVelocities(opened.parts.scene.modelOf(body), {&start, 1});
-        opened.parts.scene.robots[body].velocity = *start.velocity;
+        opened.parts.scene.robots[body].velocity = start.velocity->velocity;
     });
 }
 
@@ -134,7 +134,7 @@ RolloutRerun::Poses RolloutRerun::movedBy(const std::shared_ptr<const MotionMode
         Scene& scene = opened.parts.scene;
         RolloutStart start = *opened.starts[rollout_.robot];
         fillVelocities(*model, {&start, 1});
-        scene.robots[body].velocity = *start.velocity;
+        scene.robots[body].velocity = start.velocity->velocity;
         const MotionNoise noise = noiseOf(scene.modelOf(body));
         scene.robots[body].model = static_cast<std::uint32_t>(scene.models.size());
         scene.models.push_back(withNoise(model, noise));

@@ -146,6 +146,7 @@ LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, c
     for (const Judged& judged : all) addResidualRollouts(judged.network, judged.unseen, length, rollouts);
     ResidualNoiseOptions fitting;
     fitting.seed = options.seed;
+    fitting.epochs = std::min(fitting.epochs, options.epochs);
     bool cancelled = false;
     const auto watched = [&](double from, double to) {
         return [&, from, to](double share) { return !(cancelled = !mayGoOn(fits, from + (to - from) * share)); };

@@ -23,7 +23,8 @@ struct LearnedNoise {
 /// The noise of networks of this blueprint: of what those that are learned from two thirds of the logs get wrong over
 /// the third that they do not know. The thirds are whole robots where there are three, for robots differ from each
 /// other too; else groups of trajectories or blocks of time. `sampling` and `options`: as the network itself was
-/// learned. `learns` is told of the members of all noiseParts networks together, the first of them being 0.
+/// learned; the noise itself in at most as many epochs. `learns` is told of the members of all noiseParts networks
+/// together, the first of them being 0.
 LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, const SampleOptions& sampling,
                         const NetworkTrainerOptions& options, const NetworkProgressCallback& learns = {},
                         const Progress& fits = {});

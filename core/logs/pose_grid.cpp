@@ -86,6 +86,12 @@ Poses recentPoses(Poses known, Nanoseconds time) {
     return known.last(count);
 }
 
+Nanoseconds middleOf(Poses poses) {
+    Nanoseconds sum = 0;
+    for (const StampedPose& pose : poses) sum += pose.time - poses.front().time;
+    return poses.front().time + sum / static_cast<Nanoseconds>(poses.size());
+}
+
 std::optional<Velocity> meanOfLast(const std::vector<StampedVelocity>& samples, Nanoseconds time) {
     Velocity sum;
     int count = 0;
@@ -157,12 +163,12 @@ MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time) {
     const Poses known(trajectory.poses.begin(), behind(trajectory.poses, time));
     if (known.empty() || time - known.back().time > truthGap) return {};
     const Poses recent = recentPoses(known, time);
-    MeasuredStart start{true, known.back().pose, measuredVelocity(trajectory, time).value_or(Velocity{})};
+    MeasuredStart start{true, known.back().pose, {time, measuredVelocity(trajectory, time).value_or(Velocity{})}};
     if (recent.size() < fewest) return start;
     const Pose slope = fitLine(recent, time).slope;
     const double age = toSeconds(time - known.back().time);
     start.pose = {start.pose.x + age * slope.x, start.pose.y + age * slope.y, start.pose.heading + age * slope.heading};
-    start.velocity = velocityOf({start.pose, slope});
+    start.velocity = {middleOf(recent), velocityOf({start.pose, slope})};
     return start;
 }
 

@@ -45,10 +45,10 @@ std::optional<Velocity> velocityAt(std::span<const StampedPose> poses, Nanosecon
 bool truthIsKnown(std::span<const StampedPose> poses, Nanoseconds time);
 
 /// Pose and velocity at `time` from the truth at or before it alone, never later: what a prediction that starts there
-/// may know. The velocity is the slope of a straight line through the last 0.2 s; the pose is the last one, carried on
-/// by that slope. Where the truth has fewer than 4 samples so far (the start of a short window), the pose is the last
-/// one and the velocity the mean of what the robot itself measured in the last 0.2 s, zero if it measured nothing. Not
-/// valid when the truth does not reach to within 0.2 s before `time`.
+/// may know. The velocity is the slope of a straight line through the last 0.2 s, and so that of their middle; the pose
+/// is the last one, carried on by that slope. Where the truth has fewer than 4 samples so far (the start of a short
+/// window), the pose is the last one and the velocity the mean of what the robot itself measured in the last 0.2 s,
+/// zero if it measured nothing. Not valid when the truth does not reach to within 0.2 s before `time`.
 ///
 /// Among 16 one-sided fits (straight or curved, over 30 to 400 ms) and 30 ways to carry on the mean of the last
 /// samples, this one had the smallest heading error against poseGrid on MRCLAM data set 6 while driving: 2.7 mrad, 0.6
@@ -56,7 +56,7 @@ bool truthIsKnown(std::span<const StampedPose> poses, Nanoseconds time);
 struct MeasuredStart {
     bool valid = false;
     Pose pose;
-    Velocity velocity;
+    StampedVelocity velocity;  ///< what the robot measured itself counts as of `time`, as it does in learning
 };
 MeasuredStart measuredStart(const Trajectory& trajectory, Nanoseconds time);
 

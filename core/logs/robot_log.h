@@ -27,6 +27,7 @@ struct StampedKick {
 struct StampedVelocity {
     Nanoseconds time = 0;
     Velocity velocity;
+    bool operator==(const StampedVelocity&) const = default;
 };
 
 /// What a reader found and did, so that nothing is hidden. Counts of samples unless another unit is given.

@@ -75,8 +75,10 @@ void obey(const Scenario& scenario, WorldState& state, std::size_t robot, const 
     for (const StampedCommand& earlier : decision.earlier) issue(scenario, state, robot, earlier);
     if (decision.command) issue(scenario, state, robot, {now, *decision.command});
     const auto index = static_cast<std::uint32_t>(robot);
-    for (const Kick& kick : decision.kicks)
+    for (const Kick& kick : decision.kicks) {
         state.kicks.push_back({kickDue(scene, state, index, kick), index, kick.manipulator, kick.power});
+        if (trace != nullptr) trace->orderedKicks.push_back(state.kicks.back());
+    }
     std::uint64_t number = 0;
     for (const RadioMessage& message : decision.messages)
         state.messages.push_back({state.tick, number++, static_cast<std::uint32_t>(robot), message.to, message.kind,

@@ -59,7 +59,7 @@ void act(const Scenario& scenario, WorldState& state, const PendingKick& kick, S
     if (robot.ready[kick.manipulator] > kick.due) return;
     robot.ready[kick.manipulator] = kick.due + manipulator.recharge;
     const Placement frame(robot.pose);
-    StepTrace::Kicked kicked{kick.robot, kick.manipulator};
+    StepTrace::Kicked kicked{kick.robot, kick.manipulator, kick.due};
     for (std::uint32_t i = 0; i < state.objects.size() && !kicked.hit; ++i) {
         const ObjectType& type = scenario.scene().typeOfObject(i);
         ObjectState& object = state.objects[i];

@@ -18,6 +18,7 @@ void StepTrace::clear(std::size_t robotCount, std::size_t objectCount) {
     }
     touchedObjects.assign(objectCount, false);
     contacts.clear();
+    orderedKicks.clear();
     kicks.clear();
     goals.clear();
     faults.clear();

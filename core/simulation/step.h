@@ -44,6 +44,7 @@ struct StepTrace {
     };
     struct Kicked {
         std::uint32_t robot = 0, manipulator = 0;
+        Nanoseconds due = 0;  ///< when it was
         bool hit = false;
         std::uint32_t object = 0;
         Point speed_W;  ///< that the object has now, m/s
@@ -58,6 +59,7 @@ struct StepTrace {
 
     std::vector<Robot> robots;
     std::vector<ContactReport> contacts;
+    std::vector<PendingKick> orderedKicks;
     std::vector<Kicked> kicks;
     std::vector<std::uint32_t> goals;  ///< in which a ball arrived
     std::vector<Fault> faults;

@@ -9,6 +9,7 @@
 #include "io/file.h"
 #include "io/format.h"
 #include "workflow/log_files.h"
+#include "workflow/notices.h"
 #include "workflow/outputs.h"
 #include "workflow/resources.h"
 #include "world/seconds_text.h"
@@ -63,11 +64,25 @@ std::vector<AdviceReason> reasonsOf(const AdvisedDrive& drive, const CommandLimi
     return reasons;
 }
 
+double restOf(const AdvisedDrive& drive) {
+    double moving = 0;
+    for (const AdvisedManoeuvre& advised : drive.manoeuvres) moving += advised.manoeuvre.duration;
+    return drive.duration - moving;
+}
+
+std::string reasonText(const Advice& advice, const AdviceReason& reason) {
+    std::string text = printed("%.1f s: ", reason.seconds) + reason.what;
+    if (advice.drive.familiarKnown) text += printed("; %.0f %% of it unfamiliar", 100 * reason.unfamiliar);
+    if (advice.drive.membersKnown)
+        text += printed("; members disagree %.1f times as much as over the logs", reason.doubt);
+    return text;
+}
+
 std::string commentsOf(const Advice& advice, const AdviseRequest& request) {
     std::string text = "# What to drive next, so that " + std::filesystem::path(request.network).filename().string() +
                        " learns most from it: mrose advise\n# Limits: " + limitsText(advice.limits) + "\n# Needs " +
                        spaceText(advice.drive) + "; it begins at rest, along x, and ends at rest.\n";
-    for (const AdviceReason& reason : advice.reasons) text += "# " + reasonText(advice, reason) + '\n';
+    for (const std::string& part : partTexts(advice)) text += "# " + part + '\n';
     return text;
 }
 
@@ -80,15 +95,35 @@ std::string csvScript(const AdvisedDrive& drive) {
 }
 
 std::string tomlScript(const AdvisedDrive& drive) {
-    std::string text = "controller = { kind = \"velocity_script\", commands = [\n";
+    std::string text =
+        "# In a scenario: a line of a [[robot]], in place of its controller.\ncontroller = { kind = "
+        "\"velocity_script\", commands = [\n";
     for (const StampedCommand& issued : drive.commands)
         text += "    { t_s = " + secondsText(issued.time) + ", v_mps = " + numberText(issued.command.v) +
                 ", w_degps = " + numberText(180 / std::numbers::pi * issued.command.w) + " },\n";
     return text + "] }\n";
 }
 
-std::vector<std::string> noticesOf(const Advice& advice, const LearnedMotion& motion) {
+/// s from the first to the last tracked pose of each trajectory.
+double trackedSeconds(std::span<const Log> logs) {
+    double sum = 0;
+    for (const Log& log : logs)
+        for (const RobotLog& robot : log.robots)
+            for (const Trajectory& trajectory : robot.trajectories)
+                if (!trajectory.poses.empty())
+                    sum += toSeconds(trajectory.poses.back().time - trajectory.poses.front().time);
+    return sum;
+}
+
+std::vector<std::string> noticesOf(const Advice& advice, const LearnedMotion& motion, std::span<const Log> logs) {
+    constexpr double fewSeconds = 60;
     std::vector<std::string> notices;
+    for (const Log& log : logs)
+        for (std::string& notice : otherRobotNotices(motion.network(), log))
+            if (std::find(notices.begin(), notices.end(), notice) == notices.end())
+                notices.push_back(std::move(notice));
+    if (const double seconds = trackedSeconds(logs); seconds < fewSeconds)
+        notices.push_back(printed("the logs hold %.1f s of driving: they hardly show what the robot can do", seconds));
     if (motion.memberCount() < 2)
         notices.push_back(
             "the network is a single one, which does not say where it doubts: only what the logs lack counts");
@@ -124,12 +159,11 @@ std::string limitsText(const CommandLimits& limits) {
     return text + printed(", turning up to %.2f rad/s either way", limits.mostW);
 }
 
-std::string reasonText(const Advice& advice, const AdviceReason& reason) {
-    std::string text = printed("%.0f s: ", reason.seconds) + reason.what;
-    if (advice.drive.familiarKnown) text += printed("; %.0f %% of it unfamiliar", 100 * reason.unfamiliar);
-    if (advice.drive.membersKnown)
-        text += printed("; members disagree %.1f times as much as over the logs", reason.doubt);
-    return text;
+std::vector<std::string> partTexts(const Advice& advice) {
+    std::vector<std::string> texts;
+    for (const AdviceReason& reason : advice.reasons) texts.push_back(reasonText(advice, reason));
+    texts.push_back(printed("%.1f s: rest, before and after", advice.rest));
+    return texts;
 }
 
 std::string spaceText(const AdvisedDrive& drive) {
@@ -163,7 +197,8 @@ Expected<Advice> advise(const AdviseRequest& request, const Progress& progress) 
     }
     advice.drive = std::move(*drive);
     advice.reasons = reasonsOf(advice.drive, advice.logs);
-    advice.notices = noticesOf(advice, **motion);
+    advice.rest = restOf(advice.drive);
+    advice.notices = noticesOf(advice, **motion, logs);
     advice.script = commentsOf(advice, request) +
                     (endsIn(request.output, ".toml") ? tomlScript(advice.drive) : csvScript(advice.drive));
     if (!request.output.empty())

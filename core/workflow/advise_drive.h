@@ -35,6 +35,7 @@ struct Advice {
     AdvisedDrive drive;
     CommandLimits limits, logs;         ///< those used, and what the logs have
     std::vector<AdviceReason> reasons;  ///< the longest first
+    double rest = 0;                    ///< s, before and after the manoeuvres
     std::vector<std::string> notices;
     std::string script;  ///< what the output holds
 };
@@ -45,8 +46,9 @@ Expected<Advice> advise(const AdviseRequest& request, const Progress& progress =
 
 /// "forward up to 0.40 m/s, backward up to 0.20 m/s, turning up to 1.75 rad/s either way".
 std::string limitsText(const CommandLimits& limits);
-/// "38 s: turns faster than ...; 82 % of it unfamiliar; members disagree 3.2 times as much as over the logs".
-std::string reasonText(const Advice& advice, const AdviceReason& reason);
+/// What the drive's duration consists of: "38.2 s: turns faster than ...; 82 % of it unfamiliar; members disagree 3.2
+/// times as much as over the logs", and so on; the rest before and after.
+std::vector<std::string> partTexts(const Advice& advice);
 /// "3.1 x 2.7 m round the robot's reference point".
 std::string spaceText(const AdvisedDrive& drive);
 

@@ -172,7 +172,7 @@ DriveAdvice adviceFor(const EvaluateRequest& request, const Progress& progress) 
         "mrose advise " + shellQuoted(request.network) + " --log " + shellQuoted(request.log) +
             (request.robots.empty() ? "" : " --robots " + shellQuoted(robotList(request.robots))) + " -o next.csv",
         {}};
-    for (const AdviceReason& reason : advice->reasons) said.reasons.push_back(reasonText(*advice, reason));
+    said.reasons = partTexts(*advice);
     return said;
 }
 

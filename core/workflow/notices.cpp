@@ -82,9 +82,15 @@ std::vector<std::string> noticesOf(const Log& log) {
     return notices;
 }
 
-std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
+std::vector<std::string> otherRobotNotices(const MotionNetwork& network, const Log& log) {
     std::vector<std::string> notices{ofOtherKind(network.robotType, robotKind(log), "the log"),
                                      ofUnknownRobots(network.robots, namesOf(log))};
+    std::erase(notices, std::string());
+    return notices;
+}
+
+std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly) {
+    std::vector<std::string> notices = otherRobotNotices(network, log);
     if (!heldOutOnly)
         notices.push_back(ofKnownLog(network, log, " --held-out judges it by what was kept from learning."));
     if (!network.noise)

@@ -29,6 +29,8 @@ std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 /// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
 /// is but the part that was kept from learning.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly = false);
+/// Of these, those that say of another robot or kind of robot.
+std::vector<std::string> otherRobotNotices(const MotionNetwork& network, const Log& log);
 /// The same of a sensor and those robots of a log that are judged.
 std::vector<std::string> noticesOf(const SensorNetwork& network, const Log& log,
                                    const std::vector<std::string>& robots);

@@ -43,7 +43,10 @@ Expected<std::vector<std::size_t>> instantsOf(const PredictRequest& request, int
                         secondsText(fromSeconds(seconds)) + " s is not within a window of " +
                             secondsText(fromSeconds(request.horizon)) + " s",
                         0, "at");
-        instants.push_back(static_cast<std::size_t>(*instant));
+        const auto index = static_cast<std::size_t>(*instant);
+        if (std::find(instants.begin(), instants.end(), index) != instants.end())
+            return fail({}, secondsText(fromSeconds(seconds)) + " s is there twice", 0, "at");
+        instants.push_back(index);
     }
     return instants;
 }

@@ -27,7 +27,7 @@ protected:
     ForecastTest() {
         Trajectory driven = obedientTrajectory(0, 1500 * second, roaming, 10);
         const NoisyModel real(mean_, straying);
-        const RolloutStart start{&driven, 0, driven.poses.front().pose, Velocity{}, 15000};
+        const RolloutStart start{&driven, 0, driven.poses.front().pose, StampedVelocity{}, 15000};
         const auto poses = rollOut(real, {&start, 1}, {.seed = 99'991});
         for (std::size_t k = 0; k < poses->front().size(); ++k) driven.poses[k + 1].pose = poses->front()[k];
         log_ = logOf({driven});

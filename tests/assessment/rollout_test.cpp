@@ -31,9 +31,11 @@ private:
     }
 };
 
+StampedVelocity atRest(Nanoseconds time) { return {time, {}}; }
+
 TEST(Rollout, FollowsTheExactPathOfAModelThatIsTrue) {
     const Trajectory trajectory = obedientTrajectory(0, 10 * second, weaving);
-    const RolloutStart start{&trajectory, 2 * second, trajectory.poses[100].pose, Velocity{}, 50};
+    const RolloutStart start{&trajectory, 2 * second, trajectory.poses[100].pose, atRest(2 * second), 50};
     const auto poses = rollOut(HeldCommandModel{}, {&start, 1});
     ASSERT_TRUE(poses);
     ASSERT_EQ(poses->at(0).size(), 50u);
@@ -48,8 +50,10 @@ TEST(Rollout, FollowsTheExactPathOfAModelThatIsTrue) {
 TEST(Rollout, ReadsNoCommandLaterThanThePeriodsStartAndAtLeastTheLead) {
     const Trajectory trajectory = obedientTrajectory(7, 20 * second, weaving);
     std::vector<RolloutStart> starts;
-    for (int i = 0; i < 10; ++i)
-        starts.push_back({&trajectory, 4 * second + i * Nanoseconds{37'123'457}, {}, Velocity{}, 80});
+    for (int i = 0; i < 10; ++i) {
+        const Nanoseconds time = 4 * second + i * Nanoseconds{37'123'457};
+        starts.push_back({&trajectory, time, {}, atRest(time), 80});
+    }
     const SpyModel spy;
     ASSERT_TRUE(rollOut(spy, starts));
     EXPECT_LE(spy.latest, 0);
@@ -64,8 +68,8 @@ TEST(Rollout, CommandsIssuedLaterChangeNothingBefore) {
         const Nanoseconds last = 3 * second + known * (second / 10);
         for (StampedCommand& c : changed.commands)
             if (c.time > last) c.command = {-5, 9};
-        const RolloutStart starts[] = {{&trajectory, 3 * second, {}, Velocity{}, 80},
-                                       {&changed, 3 * second, {}, Velocity{}, 80}};
+        const RolloutStart starts[] = {{&trajectory, 3 * second, {}, atRest(3 * second), 80},
+                                       {&changed, 3 * second, {}, atRest(3 * second), 80}};
         const auto poses = rollOut(HeldCommandModel{}, starts);
         ASSERT_TRUE(poses);
         for (int k = 0; k <= known; ++k) EXPECT_EQ(poses->at(0)[k], poses->at(1)[k]) << k;
@@ -76,7 +80,10 @@ TEST(Rollout, CommandsIssuedLaterChangeNothingBefore) {
 TEST(Rollout, IsTheSameAloneAndTogetherWithOthersOfOtherLengths) {
     const Trajectory trajectory = obedientTrajectory(0, 20 * second, weaving);
     std::vector<RolloutStart> starts;
-    for (const int steps : {5, 60, 0, 31}) starts.push_back({&trajectory, steps * second / 10, {}, Velocity{}, steps});
+    for (const int steps : {5, 60, 0, 31}) {
+        const Nanoseconds time = steps * second / 10;
+        starts.push_back({&trajectory, time, {}, atRest(time), steps});
+    }
     const auto together = rollOut(HeldCommandModel{}, starts);
     ASSERT_TRUE(together);
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -89,7 +96,7 @@ TEST(Rollout, IsTheSameAloneAndTogetherWithOthersOfOtherLengths) {
 
 TEST(Rollout, ShorterPeriodsGiveTheSameOutputSteps) {
     const Trajectory trajectory = obedientTrajectory(0, 10 * second, weaving);
-    const RolloutStart start{&trajectory, 2 * second, {}, Velocity{}, 40};
+    const RolloutStart start{&trajectory, 2 * second, {}, atRest(2 * second), 40};
     const auto coarse = rollOut(HeldCommandModel{}, {&start, 1});
     const auto fine = rollOut(HeldCommandModel{20'000'000}, {&start, 1});
     ASSERT_TRUE(coarse && fine);
@@ -128,6 +135,23 @@ TEST(Rollout, UnknownStartVelocityIsWhatTheModelReachesOverTheLead) {
     const auto underWay = rollOut(LaggedModel{}, {&standing, 1});
     ASSERT_TRUE(underWay);
     EXPECT_NEAR(underWay->at(0)[0].x, 0.1 * (1 - std::pow(0.9, 31)), 1e-14);
+}
+
+TEST(Rollout, EarlierVelocityIsCarriedOnByTheModel) {
+    const Trajectory trajectory = obedientTrajectory(0, 10 * second, [](double t) {
+        return Command{t < 4.75 ? 1. : 2., 0};
+    });
+    constexpr Nanoseconds ms = 1'000'000;
+    std::vector<RolloutStart> starts;
+    for (const Nanoseconds age : {0 * ms, 49 * ms, 51 * ms, 100 * ms, 300 * ms})
+        starts.push_back({&trajectory, 5 * second, {}, StampedVelocity{5 * second - age, {0.5, 0}}, 1});
+    fillVelocities(LaggedModel{}, starts);
+    const double toOne = 0.5 + 0.1 * (1 - 0.5);  // in the period that begins before the change
+    const double expected[] = {0.5, 0.5, 0.5 + 0.1 * (2 - 0.5), 0.5 + 0.1 * (2 - 0.5), 2 - 0.9 * 0.9 * (2 - toOne)};
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        EXPECT_EQ(starts[i].velocity->time, 5 * second);
+        EXPECT_NEAR(starts[i].velocity->velocity.v, expected[i], 1e-15) << i;
+    }
 }
 
 }  // namespace

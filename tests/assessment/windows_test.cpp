@@ -18,7 +18,7 @@ TEST(Windows, LieEndToEndFromTwoSecondsAfterTheGridsBegin) {
         EXPECT_EQ((*windows)[i].steps(), 100);
         EXPECT_NEAR((*windows)[i].path, 1.0, 1e-9);
         EXPECT_NEAR((*windows)[i].rotation, 0, 1e-9);
-        EXPECT_NEAR((*windows)[i].measuredVelocity->v, 0.1, 1e-9);
+        EXPECT_NEAR((*windows)[i].measuredVelocity->velocity.v, 0.1, 1e-9);
     }
 }
 

@@ -105,7 +105,7 @@ TEST(CommandPlayer, LogDrivenThroughTheWorldIsTheModelsRollout) {
     parameters.w = {.deadTime = 0.411, .lag = 0.1};
     const auto model = std::make_shared<const KinematicModel>(parameters);
     const Trajectory log = burstyLog();
-    const auto expected = rollOut(*model, std::vector<RolloutStart>{{&log, 0, {}, Velocity{}, 80}});
+    const auto expected = rollOut(*model, std::vector<RolloutStart>{{&log, 0, {}, StampedVelocity{}, 80}});
     ASSERT_TRUE(expected);
     const Scenario scenario = played(log.commands, model);
     WorldState state = scenario.initialState();

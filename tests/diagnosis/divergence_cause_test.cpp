@@ -115,7 +115,10 @@ TEST(RolloutRerun, IsTheRolloutItselfWhereNothingIsChanged) {
     const std::vector<Pose> same(rollout.simulated.begin(), rollout.simulated.begin() + 40);
     EXPECT_EQ(rerun.later(0), same);
     EXPECT_EQ(rerun.obeying({}), same);
-    EXPECT_EQ(rerun.startingAt(*rollout.real.measuredVelocity), same);
+    RolloutStart start{&rerun.trajectory(), rollout.real.start, rollout.real.measuredPose,
+                       rollout.real.measuredVelocity};
+    fillVelocities(rerun.model(), {&start, 1});
+    EXPECT_EQ(rerun.startingAt(start.velocity->velocity), same);
     EXPECT_EQ(rerun.untouched(), same) << "there is nothing to touch";
     EXPECT_EQ(rerun.movedBy(compared.planted->parts.scene.models[0]), same);
     EXPECT_NE(rerun.later(rerun.tick()), same);

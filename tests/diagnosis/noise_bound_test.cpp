@@ -32,7 +32,7 @@ Trajectory drivenTrajectory(int number, double times = 1) {
 
 /// `truth`: of the steps, from the start on. The simulated robot moves as the mean.
 ComparedRollout comparedWith(const Trajectory& trajectory, const std::vector<Pose>& truth, const LearnedModel& model) {
-    const RolloutStart start{&trajectory, 3 * second, {}, Velocity{}, tenSeconds};
+    const RolloutStart start{&trajectory, 3 * second, {}, StampedVelocity{3 * second, {}}, tenSeconds};
     ComparedRollout rollout;
     rollout.real.start = start.time;
     rollout.real.measuredVelocity = start.velocity;
@@ -45,7 +45,7 @@ ComparedRollout comparedWith(const Trajectory& trajectory, const std::vector<Pos
 
 /// So many runs of the robot itself.
 std::vector<std::vector<Pose>> ownRuns(const Trajectory& trajectory, const LearnedModel& model, std::size_t count) {
-    std::vector<RolloutStart> starts(count, {&trajectory, 3 * second, {}, Velocity{}, tenSeconds});
+    std::vector<RolloutStart> starts(count, {&trajectory, 3 * second, {}, StampedVelocity{3 * second, {}}, tenSeconds});
     for (std::size_t i = 0; i < count; ++i) starts[i].body = static_cast<std::uint32_t>(i);
     return *rollOut(*model.drawn(MotionDraw::noisy), starts, {.seed = 4711});
 }

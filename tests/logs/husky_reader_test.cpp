@@ -112,8 +112,9 @@ TEST(HuskyReader, AStartHasTheVelocityThatTheRobotMeasured) {
     const MeasuredStart start = measuredStart(second, second.poses.front().time);
     ASSERT_TRUE(start.valid);
     EXPECT_EQ(start.pose, (Pose{0, 0, 0}));
-    EXPECT_NEAR(start.velocity.v, 0.165 * (3 * 1 + 1 * 2) / 4, 1e-12);  // the last 0.2 s: three samples before, one now
-    EXPECT_NEAR(start.velocity.w, 0.25, 1e-12);
+    EXPECT_NEAR(start.velocity.velocity.v, 0.165 * (3 * 1 + 1 * 2) / 4,
+                1e-12);  // the last 0.2 s: three samples before, one now
+    EXPECT_NEAR(start.velocity.velocity.w, 0.25, 1e-12);
 }
 
 TEST(HuskyReader, EachErrorIsOneLineWithFileAndLine) {

@@ -150,8 +150,8 @@ TEST(MeasuredStart, FindsPoseAndVelocityOfASteadyRobotAlsoBetweenSamples) {
         EXPECT_NEAR(start.pose.x, expected.x, 1e-3);
         EXPECT_NEAR(start.pose.y, expected.y, 1e-3);
         EXPECT_NEAR(start.pose.heading, expected.heading, 1e-9);
-        EXPECT_NEAR(start.velocity.v, 0.3, 2e-3);
-        EXPECT_NEAR(start.velocity.w, 0.5, 1e-9);
+        EXPECT_NEAR(start.velocity.velocity.v, 0.3, 2e-3);
+        EXPECT_NEAR(start.velocity.velocity.w, 0.5, 1e-9);
     }
 }
 
@@ -171,7 +171,7 @@ TEST(VelocityAt, IsThatOfTheGridAndOnlyFromBothSides) {
     Trajectory turning = arc(0.3, 0, 15 * ms);
     for (StampedPose& pose : turning.poses)
         if (pose.time > 1000 * ms) pose.pose.heading = toSeconds(pose.time - 1000 * ms);
-    EXPECT_NEAR(measuredStart(turning, 1000 * ms).velocity.w, 0, 1e-9);
+    EXPECT_NEAR(measuredStart(turning, 1000 * ms).velocity.velocity.w, 0, 1e-9);
     EXPECT_NEAR(velocityAt(turning.poses, 1000 * ms)->w, 0.5, 0.1);
     EXPECT_NEAR(velocityAt(turning.poses, 1100 * ms)->w, 1, 1e-9);
     EXPECT_FALSE(velocityAt(turning.poses, 50 * ms)) << "one-sided";
@@ -189,7 +189,8 @@ TEST(MeasuredStart, ReadsNothingLater) {
             const MeasuredStart a = measuredStart(whole, time), b = measuredStart(cut, time);
             ASSERT_TRUE(a.valid);
             EXPECT_EQ(a.pose, b.pose);
-            EXPECT_EQ(a.velocity, b.velocity);
+            EXPECT_EQ(a.velocity.velocity, b.velocity.velocity);
+            EXPECT_EQ(a.velocity.time, b.velocity.time);
         }
     }
 }
@@ -209,7 +210,7 @@ TEST(MeasuredStart, FewSamplesAfterAGapReachBehindIt) {
                   [](const StampedPose& sample) { return sample.time > 700 * ms && sample.time < 990 * ms; });
     const MeasuredStart start = measuredStart(trajectory, 1010 * ms);  // two samples after the gap
     ASSERT_TRUE(start.valid);
-    EXPECT_NEAR(start.velocity.w, 0.5, 1e-9);
+    EXPECT_NEAR(start.velocity.velocity.w, 0.5, 1e-9);
 }
 
 /// The bounds that the choice of the estimator was made for; twice what was measured for single windows to differ.

@@ -1,12 +1,20 @@
 #include "workflow/advise_drive.h"
 
+#include <gmock/gmock.h>
+
+#include "identification/planted_log.h"
 #include "io/toml_table.h"
+#include "logs/csv_writer.h"
 #include "logs/log_reader.h"
 #include "support/workshop.h"
 #include "workflow/expect_error.h"
 
 namespace mrose {
 namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
 
 using AdviseWorkflow = Workshop;
 
@@ -43,7 +51,9 @@ void expectReasons(const Advice& within, const Advice& beyond) {
         seconds += reason.seconds;
         if (reason.what.starts_with("turns faster than the logs'")) faster += reason.seconds;
     }
-    EXPECT_NEAR(seconds, 17.3, 0.3) << "all but the rest at both ends";
+    EXPECT_NEAR(seconds + beyond.rest, 20, 1e-6);
+    EXPECT_NEAR(beyond.rest, 2.7, 0.3);
+    EXPECT_EQ(partTexts(beyond).size(), beyond.reasons.size() + 1);
     EXPECT_GT(faster, 3);
     EXPECT_NE(beyond.script.find("turning up to"), std::string::npos);
     EXPECT_NE(beyond.script.find(spaceText(beyond.drive)), std::string::npos);
@@ -71,6 +81,23 @@ TEST_F(AdviseWorkflow, LearnedNetworksSayWhereTheyLearnedAndAreAdvised) {
     expectError(advise(twentySeconds(network(), log(), path("still.csv")), [](double) { return false; }), log(),
                 {"cancelled"});
     EXPECT_EQ(read("still.csv"), "");
+}
+
+TEST_F(AdviseWorkflow, SaysThatALogIsShortAndOfAnotherRobot) {
+    const auto usual = advise(twentySeconds(network(), log(), ""));
+    ASSERT_TRUE(usual) << usual.error().message();
+    EXPECT_THAT(usual->notices, Not(Contains(HasSubstr("was not learned from"))));
+    EXPECT_THAT(usual->notices, Not(Contains(HasSubstr("hardly show"))));
+    Log log;
+    RobotLog& robot = log.robots.emplace_back();
+    robot.robot = "other";
+    Plant plant;
+    plant.duration = 25;
+    robot.trajectories.push_back(plantedTrajectory(plant));
+    const auto other = advise(twentySeconds(network(), write("other.csv", toCsv(log)), ""));
+    ASSERT_TRUE(other) << other.error().message();
+    EXPECT_THAT(other->notices, Contains(HasSubstr("was not learned from robot other")));
+    EXPECT_THAT(other->notices, Contains(HasSubstr("hold 25.0 s of driving")));
 }
 
 TEST_F(AdviseWorkflow, OutputIsCheckedBeforeAnythingIsRead) {
