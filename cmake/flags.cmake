@@ -32,6 +32,8 @@ if(MROSE_SANITIZE)
   target_compile_definitions(mrose_flags INTERFACE _GLIBCXX_ASSERTIONS)
   if(MROSE_SANITIZE MATCHES "address")
     target_compile_definitions(mrose_flags INTERFACE MROSE_ADDRESS_SANITIZER)
+    # Checked at each access of memory, for what the address sanitizer finds or the processor traps.
+    target_compile_options(mrose_flags INTERFACE -fno-sanitize=null,object-size)
   endif()
   if(MROSE_SANITIZE MATCHES "thread")
     target_compile_definitions(mrose_flags INTERFACE MROSE_THREAD_SANITIZER)
