@@ -276,7 +276,7 @@ TEST(SourceFiles, TypesOfAHeaderAreSeen) {
 /// Who reads a name need not ask which one is meant.
 TEST(SourceFiles, NoTwoHeadersNameATypeAlike) {
     std::map<std::string, std::string> headers;
-    for (const SourceFile& file : sourceFiles({"core", "app", "widgets"})) {
+    for (const SourceFile& file : sourceFiles({"core", "app", "widgets", "tests"})) {
         if (!file.header) continue;
         for (const std::string& type : typesOf(file))
             if (const auto [other, isNew] = headers.emplace(type, file.path); !isNew)

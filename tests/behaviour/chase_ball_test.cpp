@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "behaviour/progress.h"
+#include "behaviour/headway.h"
 #include "behaviour/small_field.h"
 #include "support/observation_parts.h"
 
@@ -37,7 +37,7 @@ Outcome play(const Scenario& scenario, std::uint64_t seed, int seconds) {
     WorldState state = scenario.initialState(seed);
     StepBuffers buffers;
     Outcome outcome;
-    Progress progress(40 * ticksPerSecond / 5);
+    Headway progress(40 * ticksPerSecond / 5);
     for (int tick = 0; tick < seconds * ticksPerSecond; ++tick) {
         step(scenario, state, buffers);
         if (outcome.arrived < 0 && state.objects[0].pose.x > 6) outcome.arrived = tick / double(ticksPerSecond);

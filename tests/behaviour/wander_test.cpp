@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "behaviour/progress.h"
+#include "behaviour/headway.h"
 #include "behaviour/small_field.h"
 
 namespace mrose {
@@ -20,8 +20,8 @@ TEST(Wander, NeverStandsStillForLong) {
             const Scenario scenario = world.scenario();
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
-            std::vector<Progress> shortly(static_cast<std::size_t>(robots), Progress(4 * ticksPerSecond)),
-                lately(static_cast<std::size_t>(robots), Progress(40 * ticksPerSecond / 5));
+            std::vector<Headway> shortly(static_cast<std::size_t>(robots), Headway(4 * ticksPerSecond)),
+                lately(static_cast<std::size_t>(robots), Headway(40 * ticksPerSecond / 5));
             for (int tick = 0; tick < 90 * ticksPerSecond; ++tick) {
                 step(scenario, state, buffers);
                 for (std::size_t i = 0; i < state.robots.size(); ++i) {
@@ -72,7 +72,7 @@ TEST(Wander, TurnsAwayFromWallsThatItKnows) {
             WorldState state = scenario.initialState(seed);
             StepBuffers buffers;
             StepTrace trace;
-            Progress progress(40 * ticksPerSecond / 5);
+            Headway progress(40 * ticksPerSecond / 5);
             for (int tick = 0; tick < 120 * ticksPerSecond; ++tick) {
                 step(scenario, state, buffers, {}, &trace);
                 touching += trace.contacts.empty() ? 0 : 1;

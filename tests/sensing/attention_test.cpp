@@ -44,7 +44,7 @@ TEST(Attention, WhatIsNotReadIsNotSeen) {
             if (robots) attention.names.emplace_back(robotsReading);
             if (objects) attention.names.emplace_back(objectsReading);
             const Scenario scenario = heeding(attention), all = heeding({});
-            Watch watch(scenario, 3), attentive(all, 3);
+            SensorWatch watch(scenario, 3), attentive(all, 3);
             bool sawRobots = false, sawObjects = false;
             for (int i = 0; i < 20; ++i) {
                 const Observation& expected = attentive.next();

@@ -27,7 +27,7 @@ TEST(BodySight, RangeNoiseGrowsWithRangeAndBearingNoiseDoesNot) {
     const BodySight sight{.bearingNoise = 0.02, .rangeNoise = 0.03, .rangeNoiseSlope = 0.02};
     for (const double range : {0.5, 4.0}) {
         const Scenario scenario = ballsAround(sight, {{range, 0.7}, {range, -0.2}});
-        Watch watch(scenario, 21);
+        SensorWatch watch(scenario, 21);
         StandardNormals ranges, bearings, rangeAndBearing, bothBearings;
         for (int i = 0; i < 20000; ++i) {
             const std::span<const SeenBody> seen = watch.next().objects();
@@ -57,7 +57,7 @@ TEST(BodySight, BearingBiasDriftsAndIsCommonToAllBodies) {
                                   .robot(discRobot(), {3, 0, 0}, still(), ideal())
                                   .object(ballType(), {0, 2, 0})
                                   .scenario();
-    Watch watch(scenario, 22);
+    SensorWatch watch(scenario, 22);
     const double kept = std::exp(-0.1 / 2), added = std::sqrt(1 - kept * kept);
     StandardNormals innovations;
     double last = 0;
@@ -78,10 +78,10 @@ TEST(BodySight, FieldOfViewEndsAtItsEdge) {
         const double edge = view / 2, little = 1e-9;
         const Scenario scenario = ballsAround(
             {.fieldOfView = view}, {{3, edge - little}, {3, edge + little}, {3, -edge + little}, {3, -edge - little}});
-        EXPECT_EQ(indices(Watch(scenario, 1).next().objects()), (std::vector<std::uint32_t>{0, 2})) << view;
+        EXPECT_EQ(indices(SensorWatch(scenario, 1).next().objects()), (std::vector<std::uint32_t>{0, 2})) << view;
     }
     const Scenario allRound = ballsAround({}, {{3, pi}, {3, 0}, {3, -2}});
-    EXPECT_EQ(Watch(allRound, 1).next().objects().size(), 3u);
+    EXPECT_EQ(SensorWatch(allRound, 1).next().objects().size(), 3u);
 }
 
 TEST(BodySight, LooksWhereItIsDirectedAndGivesPlacesInTheRobotsFrame) {
@@ -95,7 +95,7 @@ TEST(BodySight, LooksWhereItIsDirectedAndGivesPlacesInTheRobotsFrame) {
                 if (std::abs(std::remainder(bearing - direction, 2 * pi)) < 0.5) expected.push_back(i);
             }
             const Scenario scenario = ballsAround({.fieldOfView = 1, .direction = direction, .range = 21}, places);
-            Watch watch(scenario, 1);
+            SensorWatch watch(scenario, 1);
             const std::span<const SeenBody> seen = watch.next().objects();
             EXPECT_EQ(indices(seen), expected) << count << ' ' << direction;
             for (const SeenBody& body : seen) {
@@ -108,12 +108,12 @@ TEST(BodySight, LooksWhereItIsDirectedAndGivesPlacesInTheRobotsFrame) {
 
 TEST(BodySight, RangeEndsAtItsEdge) {
     const Scenario scenario = ballsAround({.range = 2}, {{2 - 1e-9, 1}, {2 + 1e-9, 1}, {1e6, 1}});
-    EXPECT_EQ(indices(Watch(scenario, 1).next().objects()), std::vector<std::uint32_t>{0});
+    EXPECT_EQ(indices(SensorWatch(scenario, 1).next().objects()), std::vector<std::uint32_t>{0});
 }
 
 TEST(BodySight, DropsOutByItsRateBodyByBody) {
     const Scenario scenario = ballsAround({.dropOut = 0.2}, {{2, 0}, {2, 1}});
-    Watch watch(scenario, 23);
+    SensorWatch watch(scenario, 23);
     int first = 0, second = 0, both = 0;
     const int n = 20000;
     for (int i = 0; i < n; ++i) {
@@ -164,7 +164,7 @@ TEST(BodySight, SeesWhatWasThereInTheObserversFrameOfThen) {
 
 TEST(BodySight, BlindRobotSeesNothing) {
     const Scenario scenario = ballsAround({.present = false}, {{2, 0}});
-    EXPECT_TRUE(Watch(scenario, 1).next().objects().empty());
+    EXPECT_TRUE(SensorWatch(scenario, 1).next().objects().empty());
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ inline std::vector<CameraLook> looksOf(const Observation& observation) {
 /// All looks of a robot whose world stands still.
 inline std::vector<CameraLook> looks(const Scenario& scenario, int count, std::uint64_t seed = 1) {
     std::vector<CameraLook> all;
-    Watch watch(scenario, seed);
+    SensorWatch watch(scenario, seed);
     while (static_cast<int>(all.size()) < count)
         for (CameraLook& look : looksOf(watch.next())) all.push_back(std::move(look));
     return all;

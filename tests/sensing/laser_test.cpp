@@ -124,7 +124,7 @@ TEST(Laser, NoiseHasItsSpreadAndGrowsWithRange) {
     options.errors.noise = 0.02;
     options.errors.noiseShare = 0.01;
     const Scenario scenario = sensing(laser(options), wallAhead(3)).scenario();
-    Watch watch(scenario, 7);
+    SensorWatch watch(scenario, 7);
     StandardNormals normals, neighbours;
     for (int i = 0; i < 200; ++i) {
         const auto echoes = watch.next().records<RangeEcho>("laser");
@@ -148,7 +148,7 @@ TEST(Laser, DropsOutRoundsAndHasLimits) {
     options.errors.leastRange = 1.05;
     options.errors.range = 1.1;
     const Scenario scenario = sensing(laser(options), wallAhead(1)).scenario();
-    Watch watch(scenario, 3);
+    SensorWatch watch(scenario, 3);
     int dropped = 0, within = 0;
     for (int i = 0; i < 300; ++i)
         for (const RangeEcho& echo : watch.next().records<RangeEcho>("laser")) {

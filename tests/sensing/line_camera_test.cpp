@@ -226,7 +226,7 @@ TEST(LineCamera, MisclassifiedPixelsHaveAnyOtherClass) {
     LineCamera::Options options = rowOf(100, 1);
     options.misclassification = 0.12;
     const Scenario scenario = sensing(lineCamera(options), wallAhead(2)).scenario();
-    Watch watch(scenario, 4);
+    SensorWatch watch(scenario, 4);
     std::map<ColourClass, int> classes;
     int wrong = 0, pairs = 0;
     constexpr int looks = 2000;
@@ -263,7 +263,7 @@ TEST(LineCamera, EdgesAreBlurredByTheNoiseOfPixelsRays) {
         Environment environment;
         environment.obstacles.push_back({"wall", Shape::fromParts("wall", {part}), {}});
         const Scenario scenario = sensing(lineCamera(options), environment).scenario();
-        Watch watch(scenario, 4);
+        SensorWatch watch(scenario, 4);
         std::vector<int> walls(options.width);
         constexpr int looks = 4000;
         for (int k = 0; k < looks; ++k) {
@@ -298,7 +298,7 @@ TEST(LineCamera, TurnedRaysMeetWhatTheySee) {
             LineCamera::Options options = rowOf(width, view, 50, spacing);
             options.edgeNoise = 10;
             const Scenario scenario = sensing(lineCamera(options), walledField(8, 8), {4, 4, 0.3}).scenario();
-            Watch watch(scenario, 4);
+            SensorWatch watch(scenario, 4);
             for (int k = 0; k < 100; ++k)
                 for (const ColourPixel& pixel : watch.next().records<ColourPixel>("row"))
                     ASSERT_EQ(pixel.colourClass, ColourClass::obstacle) << "walls are all round";

@@ -110,7 +110,7 @@ TEST(LineOfSight, HidesWhatSamplesAlongTheLineMeetInACrowd) {
     const std::size_t robots = scenario.scene().robots.size();
     int visible = 0, hidden = 0, wrong = 0;
     for (std::uint32_t robot = 0; robot < robots; robot += 3) {
-        Watch watch(scenario, 1, robot);
+        SensorWatch watch(scenario, 1, robot);
         const Observation& now = watch.next();
         std::set<std::size_t> seen;
         for (const SeenBody& body : now.robots()) seen.insert(body.index);
@@ -153,7 +153,7 @@ TEST(LineOfSight, WithoutOcclusionItSeesThroughEverything) {
                                   .robot(discRobot(), {3, 2, 0}, still(), ideal())
                                   .object(ballType(), {6, 2, 0})
                                   .scenario();
-    EXPECT_EQ(Watch(scenario, 1).next().objects().size(), 1u);
+    EXPECT_EQ(SensorWatch(scenario, 1).next().objects().size(), 1u);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(Observe, OdometryHasTheStatedDeviations) {
     perception.velocityNoise = 0.02;
     perception.rotationNoise = 0.07;
     const Scenario scenario = SmallWorld().robot(perceiving(perception), {}, still(), ideal()).scenario();
-    Watch watch(scenario, 41);
+    SensorWatch watch(scenario, 41);
     watch.state().robots[0].velocity_B = {0.4, 0.1, -0.3};
     StandardNormals v, w, both;
     for (int i = 0; i < 20000; ++i) {
@@ -126,7 +126,7 @@ TEST(Observe, RobotsDrawIndependently) {
     const Scenario scenario = world.robot(perceiving(perception), {}, still(), ideal())
                                   .robot(perceiving(perception), {}, still(), ideal())
                                   .scenario();
-    Watch first(scenario, 8, 0), second(scenario, 8, 1);
+    SensorWatch first(scenario, 8, 0), second(scenario, 8, 1);
     StandardNormals both;
     for (int i = 0; i < 20000; ++i) both.add((first.next().self().x + second.next().self().x) / (0.1 * std::sqrt(2)));
     both.expectStandard("both");

@@ -56,9 +56,9 @@ inline void perceive(const Scenario& scenario, WorldState& state, std::size_t ro
 }
 
 /// Asks the sensors of standing robots, control period by control period.
-class Watch {
+class SensorWatch {
 public:
-    Watch(const Scenario& scenario, std::uint64_t seed, std::uint32_t robot = 0)
+    SensorWatch(const Scenario& scenario, std::uint64_t seed, std::uint32_t robot = 0)
         : scenario_(scenario), state_(scenario.initialState(seed)), robot_(robot) {}
 
     const Observation& next() {

@@ -109,7 +109,7 @@ TEST(SonarRing, CrossTalkIsTheEchoOfANeighbour) {
     const auto rateOf = [&](double probability) {
         options.crossTalk = probability;
         const Scenario scenario = sensing(sonar(options), wallAhead(2)).scenario();
-        Watch watch(scenario, 5);
+        SensorWatch watch(scenario, 5);
         int wrong = 0, count = 0;
         for (int i = 0; i < 1000; ++i) {
             const auto echoes = watch.next().records<RangeEcho>("sonar");
@@ -189,7 +189,7 @@ TEST(InfraredRing, AmbientLightAndNoiseAreAdded) {
     options.noise = 0.02;
     const Scenario scenario =
         sensing(std::make_shared<const InfraredRing>(SensorTraits{"infrared"}, options), wallAhead(0.3)).scenario();
-    Watch watch(scenario, 5);
+    SensorWatch watch(scenario, 5);
     StandardNormals normals;
     for (int i = 0; i < 2000; ++i) {
         const auto echoes = watch.next().records<InfraredEcho>("infrared");

@@ -20,7 +20,7 @@ Scenario scenarioOf(const SelfLocalisation& self) {
 TEST(SelfLocalisation, WhiteNoiseHasTheStatedDeviations) {
     const Pose deviation{0.05, 0.12, 0.03};
     const Scenario scenario = scenarioOf({.noise = deviation});
-    Watch watch(scenario, 11);
+    SensorWatch watch(scenario, 11);
     StandardNormals x, y, heading, xy, xHeading, successive;
     double last = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -49,7 +49,7 @@ TEST(SelfLocalisation, WhiteNoiseHasTheStatedDeviations) {
 TEST(SelfLocalisation, BiasIsAutoregressiveWithItsCorrelationTime) {
     const SelfLocalisation self{.bias = {0.1, 0.07, 0.02}, .biasTime = 1.5};
     const Scenario scenario = scenarioOf(self);
-    Watch watch(scenario, 12);
+    SensorWatch watch(scenario, 12);
     const double kept = std::exp(-period / 1.5), added = std::sqrt(1 - kept * kept);
     StandardNormals x, y, heading, successive;
     Pose last = watch.next().self();
@@ -78,7 +78,7 @@ TEST(SelfLocalisation, BiasIsStationaryFromTheFirstMeasurementOn) {
     const Scenario scenario = scenarioOf(self);
     StandardNormals first, third;
     for (std::uint64_t seed = 0; seed < 5000; ++seed) {
-        Watch watch(scenario, seed);
+        SensorWatch watch(scenario, seed);
         first.add((watch.next().self().x - startPose.x) / self.bias.x);
         watch.next();
         third.add((watch.next().self().heading - startPose.heading) / self.bias.heading);
@@ -91,7 +91,7 @@ TEST(SelfLocalisation, NoiseAndBiasAreIndependent) {
     const Scenario scenario = scenarioOf({.noise = {0.03, 0.03, 0.03}, .bias = {0.04, 0.04, 0.04}});
     StandardNormals x, y, heading;
     for (std::uint64_t seed = 0; seed < 5000; ++seed) {
-        const Pose self = Watch(scenario, seed).next().self();
+        const Pose self = SensorWatch(scenario, seed).next().self();
         x.add((self.x - startPose.x) / 0.05);
         y.add((self.y - startPose.y) / 0.05);
         heading.add((self.heading - startPose.heading) / 0.05);
@@ -130,7 +130,7 @@ TEST(SelfLocalisation, MeasurementIsOldByTheLatencyToTheTick) {
 
 TEST(SelfLocalisation, AfterADropOutTheLastMeasurementStaysWithItsTime) {
     const Scenario scenario = scenarioOf({.noise = {0.1, 0.1, 0.1}, .dropOut = 0.3});
-    Watch watch(scenario, 13);
+    SensorWatch watch(scenario, 13);
     Observation last;
     int dropped = 0, beforeFirst = 0;
     const int n = 10000;
@@ -151,7 +151,7 @@ TEST(SelfLocalisation, AfterADropOutTheLastMeasurementStaysWithItsTime) {
 
 TEST(SelfLocalisation, WithoutAnyMeasurementItDoesNotKnowWhereItIs) {
     const Scenario scenario = scenarioOf({.dropOut = 1});
-    Watch watch(scenario, 14);
+    SensorWatch watch(scenario, 14);
     for (int i = 0; i < 100; ++i) {
         const Observation& now = watch.next();
         EXPECT_FALSE(now.localised());
@@ -161,7 +161,7 @@ TEST(SelfLocalisation, WithoutAnyMeasurementItDoesNotKnowWhereItIs) {
 
 TEST(SelfLocalisation, JumpsAreRareAndFar) {
     const Scenario scenario = scenarioOf({.dropOut = 0.3, .jump = 0.02, .jumpDistance = 0.5});
-    Watch watch(scenario, 15);
+    SensorWatch watch(scenario, 15);
     StandardNormals x, y;
     int measured = 0;
     for (int i = 0; i < 80000; ++i) {

@@ -44,7 +44,7 @@ struct Sums {
 
 TEST(ReferenceSelf, ErrsByCentimetresAndDegreesThatLast) {
     const Scenario scenario = standingRobot();
-    Watch watch(scenario, 5);
+    SensorWatch watch(scenario, 5);
     std::vector<double> x;
     Sums position, heading;
     int reports = 0, missing = 0, gross = 0;
@@ -87,7 +87,7 @@ TEST(ReferenceSelf, IsStationaryFromTheFirstMeasurementOn) {
     const Scenario scenario = standingRobot();
     Sums first, later;
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
-        Watch watch(scenario, seed);
+        SensorWatch watch(scenario, seed);
         const auto add = [&](Sums& sums) {
             const Observation& seen = watch.next();
             const double off = seen.localised() ? seen.self().x - standing.x : 0;
@@ -102,7 +102,7 @@ TEST(ReferenceSelf, IsStationaryFromTheFirstMeasurementOn) {
 
 TEST(ReferenceSelf, ScaleIsThatOfItsErrors) {
     const Scenario whole = standingRobot(), half = standingRobot(0.5), none = standingRobot(0);
-    Watch a(whole, 3), b(half, 3), c(none, 3);
+    SensorWatch a(whole, 3), b(half, 3), c(none, 3);
     for (int i = 0; i < 200; ++i) {
         const Pose one = a.next().self(), two = b.next().self(), exact = c.next().self();
         if (std::hypot(exact.x - standing.x, exact.y - standing.y) > 0.1) continue;  // gross
@@ -161,7 +161,7 @@ Sums roundedLaplace(double middle, double deviation, double step) {
 TEST(ReferenceSight, ReportsColumnsAndHeightsInWholePixels) {
     const double range = 2.5, bearing = -0.2;
     const Scenario scenario = lookingAt(range, bearing);
-    Watch watch(scenario, 7);
+    SensorWatch watch(scenario, 7);
     const ReferenceSightParameters p;
     const double high = p.pixelsPerRadian * 2 * ballType().shape->reach;
     Sums pixels, columns;
@@ -194,7 +194,7 @@ TEST(ReferenceSight, ReportsColumnsAndHeightsInWholePixels) {
 TEST(ReferenceSight, IsBlindBehindItsStrutAndFarAway) {
     const auto seen = [](double range, double bearing) {
         const Scenario scenario = lookingAt(range, bearing);
-        Watch watch(scenario, 9);
+        SensorWatch watch(scenario, 9);
         int count = 0;
         for (int i = 0; i < 4000; ++i) count += static_cast<int>(watch.next().objects().size());
         return count / 4000.0;
@@ -207,7 +207,7 @@ TEST(ReferenceSight, IsBlindBehindItsStrutAndFarAway) {
 
 TEST(ReferenceSight, WithoutErrorsIsExactButForGrossOnes) {
     const Scenario scenario = lookingAt(2, 0.1, 0);
-    Watch watch(scenario, 2);
+    SensorWatch watch(scenario, 2);
     int exact = 0, count = 0;
     for (int i = 0; i < 1000; ++i)
         for (const SeenBody& body : watch.next().objects()) {

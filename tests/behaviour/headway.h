@@ -9,9 +9,9 @@
 namespace mrose {
 
 /// Watches how far a robot gets within a stretch of time.
-class Progress {
+class Headway {
 public:
-    explicit Progress(std::size_t ticks) : ticks_(ticks) {}
+    explicit Headway(std::size_t ticks) : ticks_(ticks) {}
 
     void watch(const Pose& pose) {
         poses_.push_back(pose);
