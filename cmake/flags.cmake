@@ -32,7 +32,7 @@ if(MROSE_SANITIZE)
   target_compile_definitions(mrose_flags INTERFACE _GLIBCXX_ASSERTIONS)
   if(MROSE_SANITIZE MATCHES "address")
     target_compile_definitions(mrose_flags INTERFACE MROSE_ADDRESS_SANITIZER)
-    # Checked at each access of memory, for what the address sanitizer finds or the processor traps.
+    # Left out of what is checked at each access of memory: the address sanitizer or the processor finds it.
     target_compile_options(mrose_flags INTERFACE -fno-sanitize=null,object-size)
   endif()
   if(MROSE_SANITIZE MATCHES "thread")
