@@ -24,8 +24,7 @@ DiscSpace DiscSpace::with(std::span<const ConvexPiece> more) const {
 
 double DiscSpace::distance(const Point& place, double most) const {
     for (const ConvexPiece& piece : pieces_)
-        if (mrose::distance(place, piece.centre) < piece.reach + most)
-            most = std::min(most, nearestPoint(piece, place).distance);
+        if (leastDistance(piece, place) < most) most = std::min(most, nearestPoint(piece, place).distance);
     return most;
 }
 

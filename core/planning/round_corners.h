@@ -16,7 +16,7 @@ struct RoundCorner {
     Point first, last;  ///< its outward normals, length 1, go counter-clockwise from here to there
     bool full = false;  ///< a circle: all directions
     std::size_t piece = 0;
-    std::vector<std::size_t> near;  ///< other pieces whose growth may cut it
+    std::size_t firstNear = 0, countNear = 0;  ///< of RoundCorners::near()
 
     bool has(const Point& normal) const {
         return full || (cross(first, normal) > -withinRange && cross(normal, last) > -withinRange);
@@ -32,12 +32,18 @@ public:
     RoundCorners(const RoundCorners& fewer, const DiscSpace& space) : RoundCorners(fewer) { add(space, pieces_); }
 
     std::span<const RoundCorner> all() const { return corners_; }
+    /// Other pieces whose growth may cut it.
+    std::span<const std::size_t> near(const RoundCorner& corner) const {
+        return std::span(near_).subspan(corner.firstNear, corner.countNear);
+    }
 
 private:
     void add(const DiscSpace& space, std::size_t from);
+    bool noteNear(const DiscSpace& space, std::size_t from, RoundCorner& corner);
 
     std::vector<RoundCorner> corners_;
-    std::size_t pieces_ = 0;  ///< of which they are
+    std::vector<std::size_t> near_;  ///< of all corners, each one's side by side
+    std::size_t pieces_ = 0;         ///< of which they are
 };
 
 }  // namespace mrose

@@ -25,8 +25,20 @@ std::optional<Tangent> tangentBetween(const RoundCorner& a, int senseA, const Ro
     const double squared = dot(line, line), closer = senseA * a.radius - senseB * b.radius,
                  rest = squared - closer * closer;
     if (rest <= 0 || squared == 0) return std::nullopt;
+    // The normal is (closer line + root across) / squared. That it is none of a corner's shows in most pairs without
+    // it.
+    const Point across{line.y, -line.x};
+    const double certain = -1e-6 * (std::abs(line.x) + std::abs(line.y));
+    const auto beyond = [&](const RoundCorner& corner, int sense) {
+        const auto behind = [&](double ofLine, double ofAcross) {
+            return sense * closer * ofLine <= 0 && sense * ofAcross < certain;
+        };
+        return !corner.full && (behind(cross(corner.first, line), cross(corner.first, across)) ||
+                                behind(cross(line, corner.last), cross(across, corner.last)));
+    };
+    if (closer == 0 && (beyond(a, senseA) || beyond(b, senseB))) return std::nullopt;
     const double root = std::sqrt(rest);
-    const Point normal{(closer * line.x + root * line.y) / squared, (closer * line.y - root * line.x) / squared};
+    const Point normal{(closer * line.x + root * across.x) / squared, (closer * line.y + root * across.y) / squared};
     const Point fromNormal = static_cast<double>(senseA) * normal, toNormal = static_cast<double>(senseB) * normal;
     if (!a.has(fromNormal) || !b.has(toNormal)) return std::nullopt;
     return Tangent{fromNormal, toNormal, a.at(fromNormal), b.at(toNormal)};
@@ -43,8 +55,8 @@ std::optional<double> angleRound(const RoundCorner& corner, const Point& from, c
 
 class TangentSearch {
 public:
-    TangentSearch(const DiscSpace& space, std::span<const RoundCorner> corners, const Point& start, const Point& goal)
-        : space_(space), corners_(corners), passings_(2 * corners.size()) {
+    TangentSearch(const DiscSpace& space, const RoundCorners& corners, const Point& start, const Point& goal)
+        : space_(space), round_(corners), corners_(corners.all()), passings_(2 * corners_.size()) {
         start_.centre = start;
         goal_.centre = goal;
         start_.full = goal_.full = true;
@@ -105,7 +117,8 @@ private:
     std::vector<PathPart> partsTo(std::size_t at) const;
 
     const DiscSpace& space_;
-    std::span<const RoundCorner> corners_;
+    const RoundCorners& round_;
+    std::span<const RoundCorner> corners_;  ///< its
     RoundCorner start_, goal_;
     std::vector<Exit> starts_;       ///< exits of the start
     std::vector<Passing> passings_;  ///< by corner and sense
@@ -124,7 +137,7 @@ bool TangentSearch::cut(const RoundCorner& corner, const Point& from, double ang
         return at && *at < angle &&
                nearestPoint(piece, corner.at(normal)).distance < space_.radius() - DiscSpace::slack;
     };
-    for (const std::size_t i : corner.near) {
+    for (const std::size_t i : round_.near(corner)) {
         const ConvexPiece& piece = space_.pieces()[i];
         if (within(piece, piece.centre - corner.centre)) return true;
         for (std::size_t k = 0; k < piece.count; ++k)
@@ -224,7 +237,7 @@ std::vector<PathPart> TangentSearch::partsTo(std::size_t at) const {
 Path shortestPath(const DiscSpace& space, const RoundCorners& corners, const Point& start, const Point& goal) {
     const PathEnds ends = freedEnds(space, start, goal);
     if (ends.outcome != Path::Outcome::found) return {.outcome = ends.outcome};
-    auto parts = TangentSearch(space, corners.all(), ends.start, ends.goal).parts();
+    auto parts = TangentSearch(space, corners, ends.start, ends.goal).parts();
     if (!parts) return {};
     parts->insert(parts->begin(), {start, ends.start});
     parts->push_back({ends.goal, goal});

@@ -12,7 +12,8 @@ namespace mrose {
 namespace {
 
 constexpr double unitsInMetre = 1e4;
-constexpr double samplesApart = 0.3;   // m, at most, along an outline
+constexpr double samplesApart = 0.3;   // m, at most, along an outline ...
+constexpr double roomFor = 1.2;        // m, from where to any other piece every second one is enough
 constexpr double covered = 0.001;      // m: what is no farther from another piece lies on its outline
 constexpr double nodesApart = 0.5;     // m, at most, along an edge of the diagram
 constexpr std::size_t mostJoined = 6;  // nodes to which start and goal are joined
@@ -37,6 +38,14 @@ std::vector<Point> cornersOf(const ConvexPiece& piece) {
     return corners;
 }
 
+/// Whether all other pieces are far from a place of an outline: between points s apart a bisector is off by about
+/// s^2 / 8d at the distance d.
+bool hasRoom(std::span<const ConvexPiece> pieces, std::size_t own, const Point& place) {
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+        if (k != own && leastDistance(pieces[k], place) < roomFor) return false;
+    return true;
+}
+
 /// Points along the sides of all pieces, without those that another piece covers and those of sides that no other piece
 /// lies before: no way leads between pieces there.
 std::vector<OutlineSample> outlineSamples(std::span<const ConvexPiece> pieces) {
@@ -45,7 +54,7 @@ std::vector<OutlineSample> outlineSamples(std::span<const ConvexPiece> pieces) {
     std::vector<OutlineSample> samples;
     const auto add = [&](const Point& place, std::size_t piece) {
         for (std::size_t k = 0; k < pieces.size(); ++k) {
-            if (k == piece || distance(place, pieces[k].centre) >= pieces[k].reach + covered) continue;
+            if (k == piece || leastDistance(pieces[k], place) >= covered) continue;
             // Of outlines that lie on one another one is left.
             if (nearestPoint(pieces[k], place).distance < (k < piece ? covered : -covered)) return;
         }
@@ -66,7 +75,12 @@ std::vector<OutlineSample> outlineSamples(std::span<const ConvexPiece> pieces) {
             }
             if (!faces) continue;
             const int parts = static_cast<int>(std::ceil(length(line) / samplesApart));
-            for (int part = 0; part < parts; ++part) add(a + (static_cast<double>(part) / parts) * line, i);
+            const auto at = [&](int part) { return a + (static_cast<double>(part) / parts) * line; };
+            for (int part = 0; part < parts;) {
+                add(at(part), i);
+                const bool room = part + 2 <= parts && hasRoom(pieces, i, at(part)) && hasRoom(pieces, i, at(part + 2));
+                part += room ? 2 : 1;
+            }
         }
     }
     return samples;
@@ -144,13 +158,16 @@ bool VoronoiRoadmap::joined(const Point& a, double distanceA, const Point& b, do
 
 /// The nearest ones to which the straight way is free.
 std::vector<std::size_t> VoronoiRoadmap::nearby(const Point& place) const {
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-        if (nodes_[i].ways != none) order.emplace_back(distance(place, nodes_[i].place), i);
+    std::vector<std::pair<double, std::size_t>> order;  // by the square of the distance
+    order.reserve(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const Point way = nodes_[i].place - place;
+        if (nodes_[i].ways != none) order.emplace_back(dot(way, way), i);
+    }
     const double room = space_.distance(place, farthestDistance);
     std::vector<std::size_t> found;
     for (std::size_t sorted = 0; sorted < order.size() && found.size() < mostJoined;) {
-        const std::size_t end = std::min(order.size(), sorted + 4 * mostJoined);
+        const std::size_t end = std::min(order.size(), sorted + 2 * mostJoined);
         std::partial_sort(order.begin() + static_cast<std::ptrdiff_t>(sorted),
                           order.begin() + static_cast<std::ptrdiff_t>(end), order.end());
         for (; sorted < end && found.size() < mostJoined; ++sorted)

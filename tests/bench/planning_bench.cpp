@@ -1,5 +1,5 @@
 // What planning costs: the plans of four robots among four boxes on the Mid-Size field, by each planner, and by each
-// repair where they conflict.
+// repair where they conflict; of one of them alone: planning_bench imagined_obstacle.
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -42,24 +42,29 @@ double microseconds(const Work& work) {
     return 1e6 * least;
 }
 
-void planners(const DiscSpace& space) {
+bool asked(std::string_view name, const std::string& only) { return only.empty() || name == only; }
+
+void planners(const DiscSpace& space, const std::string& only) {
     std::printf("four robots among four boxes, us for all four\n");
     double sum = 0;
     for (std::size_t i = 0; i < plannerNames.size(); ++i)
-        std::printf("  %-34s %7.1f\n", std::string(plannerNames[i]).c_str(), microseconds([&] {
-                        const PathFinder finder(static_cast<Planner>(i), space);
-                        for (const Way& way : ways) sum += lengthOf(finder.path(way.start, way.goal));
-                    }));
+        if (asked(plannerNames[i], only))
+            std::printf("  %-34s %7.1f\n", std::string(plannerNames[i]).c_str(), microseconds([&] {
+                            const PathFinder finder(static_cast<Planner>(i), space);
+                            for (const Way& way : ways) sum += lengthOf(finder.path(way.start, way.goal));
+                        }));
     const VoronoiRoadmap roadmap(space);
-    std::printf("  %-34s %7.1f\n", "voronoi, its roadmap there", microseconds([&] {
-                    for (const Way& way : ways) sum += lengthOf(roadmap.path(way.start, way.goal));
-                }));
+    if (asked(plannerNames[static_cast<std::size_t>(Planner::voronoi)], only))
+        std::printf("  %-34s %7.1f\n", "voronoi, its roadmap there", microseconds([&] {
+                        for (const Way& way : ways) sum += lengthOf(roadmap.path(way.start, way.goal));
+                    }));
     if (sum < 0) std::printf("%g\n", sum);
 }
 
-void repairs(const DiscSpace& space) {
+void repairs(const DiscSpace& space, const std::string& only) {
     std::printf("the same with repairs, each giving way to those before it (visibility graph)\n");
     for (std::size_t repair = 0; repair < repairNames.size(); ++repair) {
+        if (!asked(repairNames[repair], only)) continue;
         int clear = 0;
         const double cost = microseconds([&] {
             std::vector<TimedPath> others;
@@ -80,9 +85,10 @@ void repairs(const DiscSpace& space) {
 }  // namespace
 }  // namespace mrose::bench
 
-int main() {
+int main(int count, char** arguments) {
     const mrose::DiscSpace space(mrose::bench::field(), mrose::bench::radius);
-    mrose::bench::planners(space);
-    mrose::bench::repairs(space);
+    const std::string only = count > 1 ? arguments[1] : "";
+    mrose::bench::planners(space, only);
+    mrose::bench::repairs(space, only);
     return 0;
 }
