@@ -65,7 +65,8 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "  mrose predict create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --queries queries.csv -o samples.csv\n"
         "The queries file has the columns dataset,robot,t,subject; the output "
         "dataset,robot,t,subject,p_detect,sample,\n"
-        "range_m,bearing_rad. Predictions use no reading of the log. A learned localisation is not asked.\n"
+        "range_m,bearing_rad. Of a learned localisation they are robot,t and robot,t,p_report,sample,x,y,heading.\n"
+        "Predictions use no reading of the log.\n"
         "dataset is the number of an MRCLAM data set, as 7, and 0 for all other logs.");
     addOverwrite(*sub, common);
     sub->add_option("NET", request->network, "Network file, or the name of one that ships")
@@ -75,9 +76,9 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
     CLI::Option* windows =
         sub->add_option("--windows", request->windows, "Of motion: CSV file that says which windows");
     auto readings = std::make_shared<PredictReadingsRequest>();
-    CLI::Option* queries =
-        sub->add_option("--queries", readings->queries, "Of a sensor: CSV file that says which subjects at which looks")
-            ->excludes(windows);
+    CLI::Option* queries = sub->add_option("--queries", readings->queries,
+                                           "Of a sensor: CSV file that says which looks, and which subjects there")
+                               ->excludes(windows);
     sub->add_option("-o,--output", request->output, "The CSV file to write")->required()->check(someName());
     sub->add_option("--robots", request->robots,
                     "Predict only these robots, by name: 1,2. The others are there all the same, and occlude")

@@ -17,11 +17,10 @@ Expected<PredictedReadings> predictReadings(const PredictReadingsRequest& reques
         return tl::unexpected(can.error());
     auto network = loadSensor(request.network);
     if (!network) return tl::unexpected(network.error());
-    if (network->measures == SensorNetwork::Measures::pose)
-        return fail(request.network, "is a sensor that reports its robot's own pose; subjects are predicted");
+    const SensorNetwork::Measures measures = network->measures;
     const auto log = openLog(request.log, {});
     if (!log) return tl::unexpected(log.error());
-    auto queries = readQueries(request.queries);
+    auto queries = readQueries(request.queries, measures);
     if (!queries) return tl::unexpected(queries.error());
     if (!request.robots.empty())
         std::erase_if(*queries, [&](const SensorQuery& query) {
@@ -30,8 +29,8 @@ Expected<PredictedReadings> predictReadings(const PredictReadingsRequest& reques
     const LearnedSensor sensor(std::move(*network));
     const auto predictions = predictQueries(sensor, LoggedView(*log), *queries, request.queries);
     if (!predictions) return tl::unexpected(predictions.error());
-    if (auto written = writeFileAtomically(request.output,
-                                           sensorSamplesCsv(*queries, *predictions, request.samples, request.seed));
+    if (auto written = writeFileAtomically(
+            request.output, sensorSamplesCsv(measures, *queries, *predictions, request.samples, request.seed));
         !written)
         return tl::unexpected(written.error());
     return PredictedReadings{queries->size(), log->incomplete};

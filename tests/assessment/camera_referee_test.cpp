@@ -37,7 +37,7 @@ std::string samplesOf(const SensorEvaluation& evaluation) {
             prediction.distribution = of.distribution;
             prediction.inView = true;
         }
-    return sensorSamplesCsv(queries, predictions, refereeDraws, 1);
+    return sensorSamplesCsv(SensorMeasures::subjects, queries, predictions, refereeDraws, 1);
 }
 
 /// How likely a reading that has so much probability below it is in the central part by the referee: by its rank among

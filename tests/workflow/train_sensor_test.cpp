@@ -1,15 +1,25 @@
 #include "workflow/train_sensor.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "geometry/pose.h"
 #include "identification/planted_sensors.h"
+#include "io/file.h"
 #include "logs/csv_writer.h"
+#include "logs/pose_grid.h"
+#include "perception/learned_sensor.h"
+#include "perception/logged_view.h"
 #include "support/temporary_folder.h"
 #include "workflow/expect_error.h"
 #include "workflow/generate_logs.h"
+#include "workflow/log_files.h"
 #include "workflow/predict_readings.h"
+#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
@@ -53,8 +63,6 @@ TEST_F(TrainSensor, LearnsWhatTheLogsSensorReports) {
     const auto loaded = loadSensor(path("learned.net"));
     ASSERT_TRUE(loaded) << loaded.error().message();
     EXPECT_EQ(*loaded, pose->network);
-    expectError(predictReadings({path("learned.net"), path("logs"), path("queries.csv"), path("predicted.csv")}),
-                path("learned.net"), {"own pose"});
 
     TrainSensorRequest camera = request(path("logs"), "camera");
     camera.overwrite = true;
@@ -65,6 +73,93 @@ TEST_F(TrainSensor, LearnsWhatTheLogsSensorReports) {
     EXPECT_FALSE(subjects->network.robotSubjects);
     EXPECT_NEAR(toSeconds(subjects->network.latency), 0.06, 0.02);
     EXPECT_NEAR(subjects->network.view.fieldOfView, 1.2, 0.05);
+}
+
+/// A row of predicted own poses.
+struct PredictedPose {
+    std::string robot, time;
+    double probability = 0;
+    int sample = 0;
+    Pose pose;
+};
+
+std::vector<PredictedPose> predictedPoses(const std::string& file) {
+    std::istringstream lines(*readFile(file));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "robot,t,p_report,sample,x,y,heading");
+    std::vector<PredictedPose> rows;
+    while (std::getline(lines, line)) {
+        std::ranges::replace(line, ',', ' ');
+        PredictedPose row;
+        std::istringstream(line) >> row.robot >> row.time >> row.probability >> row.sample >> row.pose.x >>
+            row.pose.y >> row.pose.heading;
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST_F(TrainSensor, OwnPosesArePredictedAsTheModelHasThem) {
+    const std::string log = write("log.csv", plantedSensorLog({}));
+    const auto trained = trainSensor(request(log, "slam"));
+    ASSERT_TRUE(trained) << trained.error().message();
+    const auto file = [&](const std::string& name, const std::string& text) {
+        EXPECT_TRUE(writeFileAtomically(path(name), text));
+        return path(name);
+    };
+    const auto truth = openLog(log, {});
+    ASSERT_TRUE(truth);
+    const std::string robot = truth->robots[0].robot;
+    const std::vector<StampedPose>& poses = truth->robots[0].trajectories[0].poses;
+    const std::array times{poses.front().time + fromSeconds(12.3), poses.front().time + fromSeconds(40.25)};
+    std::string queries = "t,why,robot\n";
+    for (const Nanoseconds time : times) queries += secondsText(time) + ",because," + robot + '\n';
+    PredictReadingsRequest asked{path("learned.net"), log, file("queries.csv", queries), path("predicted.csv")};
+    constexpr std::size_t samples = 10000;
+    asked.samples = static_cast<int>(samples);
+    const auto predicted = predictReadings(asked);
+    ASSERT_TRUE(predicted) << predicted.error().message();
+    EXPECT_EQ(predicted->queries, 2u);
+    const std::vector<PredictedPose> rows = predictedPoses(asked.output);
+    ASSERT_EQ(rows.size(), 2 * samples);
+
+    const LoggedView view(*truth);
+    const LearnedSensor sensor(trained->network);
+    for (std::size_t query = 0; query < 2; ++query) {
+        SCOPED_TRACE(query);
+        const Nanoseconds measured = times[query] - trained->network.latency;
+        SensedState state;
+        state.own = truthAt(poses, measured);
+        state.velocity = view.velocityOf(0, 0, measured);
+        ReadingDistribution expected;
+        sensor.distributions({&state, 1}, sensor.robotIndex(robot), {&expected, 1});
+        std::array<std::vector<double>, 3> below;
+        for (std::size_t i = samples * query; i < samples * (query + 1); ++i) {
+            EXPECT_EQ(rows[i].sample, static_cast<int>(i % samples));
+            EXPECT_EQ(rows[i].time, secondsText(times[query]));
+            EXPECT_NEAR(rows[i].probability, expected.probability(), 1e-5);
+            const Pose off = relative(state.own, rows[i].pose);
+            const std::array error{off.x, off.y, wrapAngle(off.heading)};
+            for (std::size_t d = 0; d < 3; ++d)
+                below[d].push_back(expected.probabilityBelow(static_cast<int>(d), error[d]));
+        }
+        // Even from 0 to 1, by Kolmogorov and Smirnov: 1 in 1000 is farther off.
+        for (std::vector<double>& part : below) {
+            std::ranges::sort(part);
+            double most = 0;
+            for (std::size_t i = 0; i < part.size(); ++i)
+                most = std::max(most, std::abs(part[i] - (static_cast<double>(i) + 0.5) / samples));
+            EXPECT_LT(most, 1.95 / std::sqrt(static_cast<double>(samples)));
+        }
+    }
+
+    asked.overwrite = true;
+    asked.queries = file("of_nobody.csv", "robot,t\nnobody," + secondsText(times[0]) + "\n");
+    expectError(predictReadings(asked), asked.queries, {"2", "no robot nobody"});
+    asked.queries = file("too_late.csv", "robot,t\n" + robot + ",99999\n");
+    expectError(predictReadings(asked), asked.queries, {"2", "no ground truth"});
+    asked.queries = file("without_time.csv", "robot,dataset\n" + robot + ",0\n");
+    expectError(predictReadings(asked), asked.queries, {"1", "expected robot,t"});
 }
 
 TEST_F(TrainSensor, TheGivenLatencyCounts) {
