@@ -82,8 +82,14 @@ public:
         const auto length = std::min(static_cast<std::size_t>(options.rolloutLength), longestRun(samples, learned));
         if (options.loss == LearningLoss::rollout)
             chains_.emplace(samples, network, chainStarts(samples, length, length, learned), length);
-        else
+        if (options.loss == LearningLoss::oneStep || options.linearStart)
             gatherSteps(samples, network, chainStarts(samples, 1, 1, learned));
+    }
+
+    Mlp start(const NetworkTrainerOptions& options, std::uint64_t seed) const {
+        Mlp first = randomMlp(engine_.shape(), {.seed = seed});
+        if (options.linearStart) startLinear(first, steps_);
+        return first;
     }
 
     const MlpGradient* engine() const override { return &engine_; }
@@ -150,9 +156,9 @@ Member learn(MotionObjective& objective, const NetworkTrainerOptions& options, i
         return !progress || progress({index, options.members, p.epoch, options.epochs, p.loss, member.error});
     };
     const std::uint64_t seed = options.seed * 1000 + static_cast<std::uint64_t>(index);
-    const MlpShape shape = objective.engine()->shape();
-    TrainingResult result = train(objective, randomMlp(shape, {.seed = seed}).parameters, training, report);
-    member.mlp = {shape, std::move(result.parameters)};
+    Mlp first = objective.start(options, seed);
+    TrainingResult result = train(objective, std::move(first.parameters), training, report);
+    member.mlp = {first.shape, std::move(result.parameters)};
     member.epochs = result.epochs;
     member.cancelled = result.end == TrainingEnd::stopped;
     return member;

@@ -22,6 +22,7 @@ struct NetworkTrainerOptions {
     int evaluateEvery = 10;  ///< epochs
     double horizon = 10;     ///< s, of the held-out chains; shorter where the runs are
     std::uint64_t seed = 1;
+    bool linearStart = false;  ///< startLinear(): for networks whose outputs mostly go on as their inputs are
     RolloutLoss rolloutLoss;
 };
 

@@ -80,9 +80,13 @@ MotionNetwork stateBlueprint(const RobotTraits& traits, std::vector<std::string>
     const double deadTime = roundedTo5ms(std::min(times.deadTimeV, times.deadTimeW));
     const double newest = std::max(0.0, deadTime - 0.15);
     const double oldest = std::max(times.deadTimeV, times.deadTimeW) + 0.15;
+    std::vector<double> edges{newest};
+    while (edges.back() < oldest - 0.01) edges.push_back(roundedTo5ms(edges.back() + 0.05));
+    // What the velocity does not tell: where a caster stands, how far a controller has wound up.
+    for (const double further : {0.1, 0.2, 0.2, 0.2}) edges.push_back(roundedTo5ms(edges.back() + further));
     for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
-        for (int i = 0; newest + 0.05 * i < oldest - 0.01; ++i)
-            network.inputs.push_back(meanOf(quantity, newest + 0.05 * i, newest + 0.05 * (i + 1)));
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+            network.inputs.push_back(meanOf(quantity, edges[i], edges[i + 1]));
     return network;
 }
 

@@ -19,7 +19,8 @@ struct ResponseTimes {
 MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
 
 /// For robots whose motion depends on how fast they already are, as where accelerations are limited: form state, with
-/// the commands around the dead time in bins of 50 ms. Meant to be learned on rollouts.
+/// the commands around the dead time in bins of 50 ms and in coarser ones for 0.7 s before. Meant to be learned on
+/// rollouts.
 MotionNetwork stateBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
 
 /// For robots that measure their own velocity: form state, to be learned on rollouts. What terrain makes of a command

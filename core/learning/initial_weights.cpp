@@ -1,8 +1,10 @@
 #include "learning/initial_weights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Random123/philox.h>
 
 namespace mrose {
@@ -27,6 +29,34 @@ Mlp randomMlp(MlpShape shape, const InitialWeights& options) {
     for (std::size_t i = 0; i + shape.outputs < net.parameters.size(); ++i)
         net.parameters[i] = static_cast<float>((i < firstOutput ? hidden : output) * uniform(options.seed, i));
     return net;
+}
+
+void startLinear(Mlp& net, const PatternSet& patterns) {
+    constexpr double deviation = 0.3;  // of what goes into tanh: 3 % less comes out
+    constexpr double ridge = 1e-3;     // of a standardised input's square: neighbouring inputs are much alike
+    const Eigen::Index inputs = net.shape.inputs, outputs = net.shape.outputs, hidden = net.shape.hidden;
+    if (2 * outputs >= hidden || patterns.inputs.patterns() == 0) return;
+    Eigen::MatrixXd squares = ridge * Eigen::MatrixXd::Identity(inputs, inputs);
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(inputs, outputs);
+    Eigen::VectorXd x(inputs), y(outputs);
+    const double share = 1 / static_cast<double>(patterns.inputs.patterns());
+    for (std::size_t p = 0; p < patterns.inputs.patterns(); ++p) {
+        for (Eigen::Index i = 0; i < inputs; ++i) x(i) = patterns.inputs(p, static_cast<int>(i));
+        for (Eigen::Index k = 0; k < outputs; ++k) y(k) = patterns.targets(p, static_cast<int>(k));
+        squares += share * x * x.transpose();
+        products += share * x * y.transpose();
+    }
+    const Eigen::MatrixXd map = squares.llt().solve(products);  // inputs x outputs
+    float* const weights = net.parameters.data();
+    float* const biases = weights + hidden * inputs;
+    float* const outgoing = biases + hidden;
+    for (Eigen::Index k = 0; k < outputs; ++k) {
+        const double gain = deviation / std::max(1e-6, std::sqrt(map.col(k).dot(squares * map.col(k))));
+        for (Eigen::Index i = 0; i < inputs; ++i) weights[k * inputs + i] = static_cast<float>(gain * map(i, k));
+        biases[k] = 0;
+        for (Eigen::Index o = 0; o < outputs; ++o)
+            outgoing[o * hidden + k] = o == k ? static_cast<float>(1 / gain) : 0.0F;
+    }
 }
 
 }  // namespace mrose

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "learning/mlp.h"
+#include "learning/pattern_set.h"
 
 namespace mrose {
 
@@ -16,5 +17,10 @@ struct InitialWeights {
 };
 
 Mlp randomMlp(MlpShape shape, const InitialWeights& options = {});
+
+/// Makes a network's first units, one for each output, the linear map that fits standardised patterns best (least
+/// squares), in the middle of tanh where it is nearly straight. What is learned then is what the map lacks. Nothing
+/// changes where half of the units or more would be needed.
+void startLinear(Mlp& net, const PatternSet& patterns);
 
 }  // namespace mrose

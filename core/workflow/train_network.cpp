@@ -22,12 +22,13 @@ struct Recipe {
     int phases;  ///< of the period at which the logs are read
     int chain;   ///< periods
     double velocityWeight = RolloutLoss{}.velocityWeight;
+    bool linearStart = false;
 };
 
 const Recipe& recipeOf(NetworkRecipe recipe) {
     static const std::array<Recipe, networkRecipeNames.size()> recipes{
         {{historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5, 20},
-         {stateBlueprint, LearningLoss::rollout, 24, 1, 4000, 4000, 1, 20},
+         {stateBlueprint, LearningLoss::rollout, 32, 1, 5000, 5000, 1, 40, RolloutLoss{}.velocityWeight, true},
          {velocityBlueprint, LearningLoss::rollout, 32, 8, 1000, 300, 5, 10, 0.3},
          {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5, 20}}};
     return recipes[static_cast<std::size_t>(recipe)];
@@ -46,6 +47,7 @@ NetworkTrainerOptions trainerOptions(const TrainRequest& request, const Recipe& 
     options.rolloutLength = givenOr(request.chain, recipe.chain);
     options.rolloutLoss.velocityWeight = recipe.velocityWeight;
     options.seed = request.seed;
+    options.linearStart = recipe.linearStart;
     return options;
 }
 

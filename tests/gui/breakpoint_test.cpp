@@ -81,7 +81,7 @@ protected:
     }
 };
 
-constexpr const char* fast = "robot[2].speed > 0.5";
+constexpr const char* fast = "robot[2].speed > 0.42";
 
 TEST_F(BreakpointTest, LineStaysWhereItIsWhenAnErrorIsTold) {
     key(Qt::Key_F8);

@@ -318,7 +318,7 @@ public:
 /// With and without a divergence and its cause.
 TEST_F(PlotLookTest, ListOfRolloutsKeepsItsHeightFromRolloutToRollout) {
     ASSERT_NO_FATAL_FAILURE(openLog(shipped(), {RolloutPlan::Cut::every, 0, 2}));
-    overlay.setBound({{0.05, 0.3}, false});
+    overlay.setBound({{0.02, 0.2}, false});
     settleAll();
     std::size_t first = 0;
     const int whole = panel.list().height();

@@ -329,7 +329,7 @@ TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
 TEST(MotionSamples, ABlockLosesASecondOrWhatThePatternsReadBack) {
     const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
     for (const auto& [blueprint, lost] :
-         {std::pair{&stateBlueprint, 1.0}, {&historyBlueprint, 1.2 + 0.1}, {&velocityBlueprint, 1.4 + 0.1}}) {
+         {std::pair{&stateBlueprint, 1.0 + 0.1}, {&historyBlueprint, 1.2 + 0.1}, {&velocityBlueprint, 1.4 + 0.1}}) {
         SampleOptions options;
         options.block = 20;
         options.phases = 1;

@@ -405,7 +405,7 @@ TEST(LineCamera, SeesTheShippedGame) {
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     std::map<ColourClass, int> met;
-    for (int second = 0; second < 10; ++second) {
+    for (int second = 0; second < 20; ++second) {
         for (int k = 0; k < 50; ++k) step(scenario, state, buffers);
         Observation out;
         perceive(scenario, state, 0, out);
