@@ -133,6 +133,9 @@ QString scanReadout(const ViewTransform& view, const FieldFrame& frame, const st
 /// own above the others. Of many robots the selected one's alone.
 std::vector<const RadioLog::Entry*> shownMessages(const FieldFrame& frame, const FieldFocus& focus);
 void drawRadio(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus);
+/// Of the messages at a place in pixels, a line each; empty: there are none.
+QString radioReadout(const ViewTransform& view, const FieldFrame& frame, const FieldFocus& focus,
+                     const QPointF& pixels);
 /// How one of them looks: `end`: in pixels, where a message out of range ends.
 void drawMessage(const FieldCanvas& canvas, const QPointF& from, const QPointF& to, const QColor& colour, double width,
                  Transmission::Outcome outcome, double end);

@@ -1,15 +1,23 @@
 // Messages between robots.
+#include <QLineF>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
+#include "geometry/polygon.h"
 #include "widgets/field_drawing.h"
+#include "widgets/field_readout.h"
+#include "widgets/fixed_text.h"
+#include "widgets/qt_text.h"
 
 namespace mrose {
 namespace {
 
 constexpr Nanoseconds messageShown = nanosecondsPerSecond * 4 / 10;
 constexpr double asideOfWay = 3;  // pixels to the right: what goes the other way is seen too
+constexpr double onLine = 4;      // pixels from it
 
 bool isOf(const RadioLog::Entry& entry, std::optional<std::size_t> robot) {
     return robot == entry.message.from || robot == entry.transmission.to;
@@ -28,6 +36,27 @@ bool shorten(QPointF& from, QPointF& to, double atBeginning, double atEnd) {
     from += atBeginning / size * along;
     to -= atEnd / size * along;
     return true;
+}
+
+double reachOf(const FieldFrame& frame, std::size_t robot) { return frame.scene().typeOf(robot).shape->reach; }
+
+/// In pixels, between the outlines of both robots; nothing where these are too near to each other.
+std::optional<QLineF> lineOf(const ViewTransform& view, const FieldFrame& frame, const RadioLog::Entry& entry) {
+    QPointF from = view.toPixels(entry.message.position), to = view.toPixels(entry.transmission.position);
+    const QPointF line = to - from;
+    const double size = std::hypot(line.x(), line.y());
+    if (size < 1) return std::nullopt;
+    const QPointF right = asideOfWay / size * QPointF(-line.y(), line.x());
+    from += right, to += right;
+    const auto reach = [&](std::size_t robot) { return view.scale() * reachOf(frame, robot); };
+    if (!shorten(from, to, reach(entry.message.from), reach(entry.transmission.to) + 2)) return std::nullopt;
+    return QLineF(from, to);
+}
+
+QString messageReadout(const FieldFrame& frame, const RadioLog::Entry& entry) {
+    return QObject::tr("%1 to %2, sent at %3: %4")
+        .arg(qtText(frame.nameOf(entry.message.from)), qtText(frame.nameOf(entry.transmission.to)),
+             clockText(frame.scene().timeOf(entry.message.tick)), messageText(frame, entry));
 }
 
 }  // namespace
@@ -85,21 +114,28 @@ void drawMessage(const FieldCanvas& canvas, const QPointF& from, const QPointF& 
 
 void drawRadio(const FieldCanvas& canvas, const FieldFrame& frame, const FieldFocus& focus) {
     for (const RadioLog::Entry* const entry : shownMessages(frame, focus)) {
+        const auto line = lineOf(canvas.view, frame, *entry);
+        if (!line) continue;
         const bool strong = isOf(*entry, focus.selected);
         const double left = shareLeft(frame, *entry), most = strong || !focus.selected ? 255 : 130;
-        QPointF from = canvas.at(entry->message.position), to = canvas.at(entry->transmission.position);
-        const QPointF line = to - from;
-        const double size = std::hypot(line.x(), line.y());
-        if (size < 1) continue;
-        const QPointF right = asideOfWay / size * QPointF(-line.y(), line.x());
-        from += right, to += right;
-        const auto reach = [&](std::size_t robot) { return canvas.pixels(frame.scene().typeOf(robot).shape->reach); };
-        if (!shorten(from, to, reach(entry->message.from), reach(entry->transmission.to) + 2)) continue;
         const QColor colour = robotColour(frame.scene(), entry->message.from);
-        drawMessage(canvas, from, to, withAlpha(colour, static_cast<int>(most * (0.35 + 0.65 * left))),
+        drawMessage(canvas, line->p1(), line->p2(), withAlpha(colour, static_cast<int>(most * (0.35 + 0.65 * left))),
                     strong ? 2.4 : 1.7, entry->transmission.outcome,
-                    canvas.pixels(frame.scene().radio.range) - reach(entry->message.from));
+                    canvas.pixels(frame.scene().radio.range - reachOf(frame, entry->message.from)));
     }
+}
+
+QString radioReadout(const ViewTransform& view, const FieldFrame& frame, const FieldFocus& focus,
+                     const QPointF& pixels) {
+    QStringList lines;
+    for (const RadioLog::Entry* const entry : shownMessages(frame, focus)) {
+        const auto line = lineOf(view, frame, *entry);
+        if (!line) continue;
+        const double far =
+            distanceToSegment({pixels.x(), pixels.y()}, {line->x1(), line->y1()}, {line->x2(), line->y2()});
+        if (far <= onLine) lines += messageReadout(frame, *entry);
+    }
+    return lines.join('\n');
 }
 
 }  // namespace mrose

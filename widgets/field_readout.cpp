@@ -82,6 +82,28 @@ QString signReadout(const FieldFrame& frame, const Point& at, double reach) {
     return lines.join('\n');
 }
 
+QString kindAndSize(const SentMessage& message) {
+    return QObject::tr("kind %1, %2 B").arg(message.kind).arg(message.size);
+}
+
+QString millisecondsText(Nanoseconds time) { return QObject::tr("%1 ms").arg(fixed(toSeconds(time) * 1e3, 0)); }
+
+QString messageText(const FieldFrame& frame, const RadioLog::Entry& entry) {
+    const Scene& scene = frame.scene();
+    const auto outcome = [&] {
+        switch (entry.transmission.outcome) {
+            case Transmission::Outcome::lost:
+                return QObject::tr("lost");
+            case Transmission::Outcome::outOfRange:
+                return QObject::tr("out of range");
+            case Transmission::Outcome::received:
+                break;
+        }
+        return millisecondsText(scene.timeOf(entry.tick) - scene.timeOf(entry.message.tick));
+    };
+    return QString("%1, %2").arg(kindAndSize(entry.message), outcome());
+}
+
 QString noteText(const FieldFrame& frame, std::size_t robot, const Annotation& note) {
     const QString label = qtText(note.label);
     return bodyNamed(frame.scene(), note.label) == noBody

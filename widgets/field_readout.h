@@ -23,6 +23,13 @@ QString bodyReadout(const FieldFrame& frame, std::size_t body);
 /// Of contacts, notes and kicks within `reach` metres of a point, a line each; empty: there are none.
 QString signReadout(const FieldFrame& frame, const Point& at, double reach);
 
+/// "kind 7, 16 B".
+QString kindAndSize(const SentMessage& message);
+/// "100 ms", in whole ones.
+QString millisecondsText(Nanoseconds time);
+/// "kind 7, 16 B, 100 ms": of a message that was due, how late it was, or that it was lost or out of range.
+QString messageText(const FieldFrame& frame, const RadioLog::Entry& entry);
+
 /// What a note on the field is called. One with a body's name is where its robot thinks that one to be: "red 3's ball".
 QString noteText(const FieldFrame& frame, std::size_t robot, const Annotation& note);
 

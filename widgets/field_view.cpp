@@ -270,6 +270,7 @@ QString FieldView::readoutAt(const QPointF& pixels) const {
     if (body && layers_.has(FieldLayer::uncertainty)) parts += bandReadout(*frame_, focus_.bands, *body);
     parts += readingReadout(transform(), *frame_, shownLooks(*frame_, layers_, focus_), pixels);
     parts += scanReadout(transform(), *frame_, shownScans(*frame_, layers_, focus_), pixels);
+    if (layers_.has(FieldLayer::radio)) parts += radioReadout(transform(), *frame_, focus_, pixels);
     parts += signs;
     parts.removeAll({});
     return parts.join('\n');

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "widgets/field_readout.h"
 #include "widgets/fixed_text.h"
 #include "widgets/inspector_rows.h"
 #include "widgets/qt_text.h"
@@ -41,26 +42,15 @@ InspectorRow messageRow(const QString& id, const QString& name, const QString& v
     return row;
 }
 
-QString kindAndSize(const SentMessage& message) {
-    return QObject::tr("kind %1, %2 B").arg(message.kind).arg(message.size);
-}
-
-QString milliseconds(Nanoseconds time) { return QObject::tr("%1 ms").arg(fixedText(toSeconds(time) * 1e3, 0)); }
-
 InspectorRow dueRow(const RowWriter& write, const RadioLog::Entry& entry, const QString& id) {
     const Scene& scene = write.frame.scene();
     const Nanoseconds sent = scene.timeOf(entry.message.tick);
-    const bool received = entry.transmission.outcome == Transmission::Outcome::received;
-    const QString late = milliseconds(scene.timeOf(entry.tick) - sent);
-    const QString outcome = received                                                    ? late
-                            : entry.transmission.outcome == Transmission::Outcome::lost ? QObject::tr("lost")
-                                                                                        : QObject::tr("out of range");
-    InspectorRow row = messageRow(id, qtText(write.frame.nameOf(entry.message.from)),
-                                  QString("%1, %2").arg(kindAndSize(entry.message), outcome), entry.message);
-    row.quiet = !received;
+    InspectorRow row =
+        messageRow(id, qtText(write.frame.nameOf(entry.message.from)), messageText(write.frame, entry), entry.message);
+    row.quiet = entry.transmission.outcome != Transmission::Outcome::received;
     row.tip = QObject::tr("sent at %1, arrived %2 later, due at %3, %4 after it was sent")
-                  .arg(clockText(sent), milliseconds(entry.transmission.arrival - sent),
-                       clockText(scene.timeOf(entry.tick)), late);
+                  .arg(clockText(sent), millisecondsText(entry.transmission.arrival - sent),
+                       clockText(scene.timeOf(entry.tick)), millisecondsText(scene.timeOf(entry.tick) - sent));
     return row;
 }
 

@@ -70,6 +70,18 @@ TEST_F(FieldRadioTest, EndsAtTheRangeWhereItIsOutOfRange) {
     EXPECT_EQ(changed({-2.2, 0}, {0, 0}), 0);
 }
 
+TEST_F(FieldRadioTest, LinesSayWhatTheyAre) {
+    tell(0, 1, 99, Outcome::received);
+    tell(0, 2, 99, Outcome::lost);
+    const auto said = [&](const Point& at) {
+        return radioReadout(view, frame, {}, view.toPixels(at) + QPointF(0, 3)).toStdString();
+    };
+    EXPECT_EQ(said({-2, 0}), "robot 1 to robot 2, sent at 1.88 s: kind 7, 16 B, 100 ms");
+    EXPECT_EQ(said({2, 1.5}), "robot 1 to robot 3, sent at 1.88 s: kind 7, 16 B, lost");
+    EXPECT_EQ(said({-2, 0.5 * 2 / 3}), "") << "between both lines";
+    EXPECT_EQ(said({-4, 0}), "") << "within the sender";
+}
+
 TEST_F(FieldRadioTest, LostOnesAreCrossed) {
     tell(0, 1, 99, Outcome::received);
     const int arrow = changed({-2.05, 0.1}, {-1.95, -0.1});
