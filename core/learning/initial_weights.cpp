@@ -32,7 +32,7 @@ Mlp randomMlp(MlpShape shape, const InitialWeights& options) {
 }
 
 void startLinear(Mlp& net, const PatternSet& patterns) {
-    constexpr double deviation = 0.3;  // of what goes into tanh: 3 % less comes out
+    constexpr double deviation = 0.3;  // of what goes into tanh, which takes 3 % off so much
     constexpr double ridge = 1e-3;     // of a standardised input's square: neighbouring inputs are much alike
     const Eigen::Index inputs = net.shape.inputs, outputs = net.shape.outputs, hidden = net.shape.hidden;
     if (2 * outputs >= hidden || patterns.inputs.patterns() == 0) return;
