@@ -195,8 +195,8 @@ Subcommand addEvaluate(CLI::App& app, CommonFlags& common) {
                                   ->capture_default_str());
     CLI::Option* folder =
         sub->add_option("--report", flags->folder,
-                        "Folder for report.html, results.csv, results.json and windows.csv, of a sensor cases.csv "
-                        "(for mrose predict), of a kicker kicks.csv")
+                        "Folder for report.html, results.csv, results.json and windows.csv, of a sensor cases.csv, "
+                        "of a localisation poses.csv (all three for mrose predict), of a kicker kicks.csv")
             ->check(someName());
     flags->ofMotion.push_back(
         sub->add_option("--samples", flags->what.samples, "Of motion with noise: rollouts of each window that judge it")

@@ -25,18 +25,15 @@ std::optional<Tangent> tangentBetween(const RoundCorner& a, int senseA, const Ro
     const double squared = dot(line, line), closer = senseA * a.radius - senseB * b.radius,
                  rest = squared - closer * closer;
     if (rest <= 0 || squared == 0) return std::nullopt;
-    // The normal is (closer line + root across) / squared. That it is none of a corner's shows in most pairs without
-    // it.
     const Point across{line.y, -line.x};
-    const double certain = -1e-6 * (std::abs(line.x) + std::abs(line.y));
-    const auto beyond = [&](const RoundCorner& corner, int sense) {
-        const auto behind = [&](double ofLine, double ofAcross) {
-            return sense * closer * ofLine <= 0 && sense * ofAcross < certain;
+    if (closer == 0) {  // the normal is across it: that a corner has no such one mostly shows without a root
+        const double certain = -1e-6 * (std::abs(line.x) + std::abs(line.y));
+        const auto lacks = [&](const RoundCorner& corner, int sense) {
+            return !corner.full &&
+                   (sense * cross(corner.first, across) < certain || sense * cross(across, corner.last) < certain);
         };
-        return !corner.full && (behind(cross(corner.first, line), cross(corner.first, across)) ||
-                                behind(cross(line, corner.last), cross(across, corner.last)));
-    };
-    if (closer == 0 && (beyond(a, senseA) || beyond(b, senseB))) return std::nullopt;
+        if (lacks(a, senseA) || lacks(b, senseB)) return std::nullopt;
+    }
     const double root = std::sqrt(rest);
     const Point normal{(closer * line.x + root * across.x) / squared, (closer * line.y + root * across.y) / squared};
     const Point fromNormal = static_cast<double>(senseA) * normal, toNormal = static_cast<double>(senseB) * normal;
