@@ -12,20 +12,9 @@ namespace {
 std::vector<std::string_view> quantitiesFor(SensorNetwork::Measures measures) {
     if (measures == SensorNetwork::Measures::pose)
         return {"x", "y", "heading_sine", "heading_cosine", "speed", "rotation", "rotation_size"};
-    return {"range",
-            "nearness",
-            "bearing",
-            "bearing_size",
-            "bearing_depth",
-            "view_edge",
-            "rotation",
-            "rotation_size",
-            "speed",
-            "is_robot",
-            "clearance",
-            "log_separation",
-            "log_nearer_separation",
-            "others_in_view",
+    return {"range",         "nearness",  "bearing",        "bearing_size",          "bearing_depth",
+            "view_edge",     "near_edge", "rotation",       "rotation_size",         "speed",
+            "is_robot",      "clearance", "log_separation", "log_nearer_separation", "others_in_view",
             "unknown_robots"};
 }
 
@@ -129,9 +118,9 @@ std::vector<NetworkVariable> sensorOutputsFor(const SensorNetwork& network, cons
 }
 
 bool isReadForErrors(std::string_view input) {
-    constexpr std::string_view others[] = {
-        "nearness",       "view_edge",     "clearance", "log_separation", "log_nearer_separation",
-        "others_in_view", "unknown_robots"};
+    constexpr std::string_view others[] = {"nearness",       "view_edge",      "near_edge",
+                                           "clearance",      "log_separation", "log_nearer_separation",
+                                           "others_in_view", "unknown_robots"};
     return std::ranges::find(others, input) == std::end(others);
 }
 

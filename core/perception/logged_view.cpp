@@ -96,7 +96,7 @@ std::vector<LoggedSubject> LoggedView::at(std::size_t robot, std::size_t traject
         state.subject = body.robot ? SubjectKind::robot : SubjectKind::landmark;
         state.range = body.distance;
         state.bearing = wrapAngleNearly(arcTangent(body.offset.y, body.offset.x) - own.own.heading);
-        state.edge = viewEdge(state.bearing, view.fieldOfView);
+        findEdges(state, view);
         for (const Body& other : bodies)
             if (&other != &body) passBy(other.offset, other.distance, other.radius, body.offset, state);
         subjects.push_back({body.subject, state});

@@ -4,6 +4,7 @@
 
 #include "geometry/angle.h"
 #include "geometry/pose.h"
+#include "perception/view.h"
 #include "world/command.h"
 
 namespace mrose {
@@ -20,9 +21,10 @@ struct SensedState {
 
     // Of a subject that is reported by range and bearing.
     SubjectKind subject = SubjectKind::landmark;
-    double range = 0;    ///< m, from the robot's reference point
-    double bearing = 0;  ///< rad in (-pi, pi], counter-clockwise from the robot's heading
-    double edge = 0;     ///< from -1 well within the field of view over 0 at its edge to 1 outside
+    double range = 0;      ///< m, from the robot's reference point
+    double bearing = 0;    ///< rad in (-pi, pi], counter-clockwise from the robot's heading
+    double edge = -1;      ///< from -1 well within the field of view over 0 at its edge to 1 outside
+    double nearEdge = -1;  ///< likewise, of View::nearest
     /// How far the line to the subject passes beside the outline of the nearest body that is nearer: m, negative
     /// through it, from -hidden to clear.
     double clearance = clear;
@@ -48,7 +50,7 @@ inline void countOther(SensedState& state, double range, double bearing) {
     if (range < state.range) state.nearerSeparation = std::min(state.nearerSeparation, angle);
 }
 
-/// SensedState::edge of a sensor that sees `fieldOfView` rad around the heading.
-double viewEdge(double bearing, double fieldOfView);
+/// Sets the edges of a subject whose range and bearing are known.
+void findEdges(SensedState& state, const View& view);
 
 }  // namespace mrose

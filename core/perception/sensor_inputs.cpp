@@ -21,6 +21,7 @@ constexpr SensorQuantity quantities[] = {
     {"rotation_size", "rad/s", [](const SensedState& s) { return std::abs(s.velocity.w); }},
     {"is_robot", "1", [](const SensedState& s) { return s.subject == SubjectKind::robot ? 1.0 : 0.0; }},
     {"view_edge", "1", [](const SensedState& s) { return s.edge; }},
+    {"near_edge", "1", [](const SensedState& s) { return s.nearEdge; }},
     {"clearance", "m", [](const SensedState& s) { return s.clearance; }},
     {"log_separation", "1", [](const SensedState& s) { return logarithm(touching + s.separation); }},
     {"log_nearer_separation", "1", [](const SensedState& s) { return logarithm(touching + s.nearerSeparation); }},
@@ -32,8 +33,8 @@ constexpr SensorQuantity quantities[] = {
     {"heading_cosine", "1", [](const SensedState& s) { return cosine(s.own.heading); }},
 };
 
-/// How blurred the edge of a field of view is: rad.
-constexpr double edgeWidth = 0.05;
+// How blurred the edges of a view are: rad, m.
+constexpr double edgeWidth = 0.05, nearEdgeWidth = 0.05;
 
 const SensorQuantity* quantityOf(std::string_view name) {
     const auto found = std::ranges::find(quantities, name, &SensorQuantity::name);
@@ -48,8 +49,9 @@ int robotOf(std::string_view input, std::span<const std::string> robots) {
 
 }  // namespace
 
-double viewEdge(double bearing, double fieldOfView) {
-    return hyperbolicTangent((std::abs(bearing) - 0.5 * fieldOfView) / edgeWidth);
+void findEdges(SensedState& state, const View& view) {
+    state.edge = hyperbolicTangent((std::abs(state.bearing) - 0.5 * view.fieldOfView) / edgeWidth);
+    state.nearEdge = hyperbolicTangent((view.nearest - state.range) / nearEdgeWidth);
 }
 
 std::span<const SensorQuantity> sensorQuantities() { return quantities; }

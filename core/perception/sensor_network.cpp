@@ -52,7 +52,7 @@ std::string sectionText(const SensorNetwork& n) {
                        line("latency_error_s", n.latencyError);
     if (n.measures == Measures::subjects)
         text += line("subjects", listText(subjectsOf(n))) + line("range_m", n.view.range) +
-                line("field_of_view_rad", n.view.fieldOfView);
+                line("nearest_m", n.view.nearest) + line("field_of_view_rad", n.view.fieldOfView);
     text += line("components", std::to_string(n.form.components)) + line("members", std::to_string(n.form.members));
     text += "gross_errors = { share = " + numberText(n.gross.share);
     for (int d = 0; d < n.form.dimensions; ++d) {
@@ -89,6 +89,7 @@ void readSubjects(TomlTable& table, SensorNetwork& network) {
         else
             table.reject("subjects", "expected \"landmarks\" and \"robots\", found \"" + word + '"');
     network.view.range = table.number("range_m", {1e-3, 1e4});
+    network.view.nearest = table.numberOr("nearest_m", 0, {0, network.view.range});
     network.view.fieldOfView = table.number("field_of_view_rad", {1e-3, 2 * std::numbers::pi});
 }
 

@@ -10,6 +10,7 @@ namespace mrose {
 /// something, beyond that nothing.
 struct View {
     double range = 9, fieldOfView = 1.2;  ///< m, rad
+    double nearest = 0;                   ///< m: nearer than that it reports hardly anything
     bool operator==(const View&) const = default;
 
     bool holds(double distance, double bearing) const {

@@ -275,7 +275,7 @@ bool SimulatedView::describe(const SensorView& view, std::size_t index, SensedSt
     state.subject = subject.kind;
     state.range = subject.range;
     state.bearing = subject.bearing;
-    state.edge = viewEdge(subject.bearing, limits_.fieldOfView);
+    findEdges(state, limits_);
     state.clearance = line.clearance;
     countOthers(index, state);
     return true;

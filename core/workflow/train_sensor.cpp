@@ -16,8 +16,8 @@
 namespace mrose {
 namespace {
 
-/// Of all values but the largest, at most so large.
-double nearlyAll(std::vector<double> values, double share) {
+/// So large is at most this share of the values.
+double quantileOf(std::vector<double> values, double share) {
     if (values.empty()) return 1;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
@@ -37,7 +37,9 @@ void lookAround(SensorNetwork& blueprint, SensorSampleOptions& sampling, const s
         bearings.push_back(std::abs(one.state.bearing));
         (one.state.subject == SubjectKind::robot ? blueprint.robotSubjects : blueprint.landmarks) = true;
     }
-    blueprint.view = {nearlyAll(std::move(ranges), 0.999), 2 * nearlyAll(std::move(bearings), 0.995)};
+    blueprint.view.nearest = quantileOf(ranges, 0.001);
+    blueprint.view.range = quantileOf(std::move(ranges), 0.999);
+    blueprint.view.fieldOfView = 2 * quantileOf(std::move(bearings), 0.995);
     sampling.view = blueprint.view;
     sampling.landmarks = blueprint.landmarks;
     sampling.robotSubjects = blueprint.robotSubjects;

@@ -65,7 +65,7 @@ SensorSamples plantedSamples(int looks, const ReadingNoises& noises) {
                 one.state.range = 1 + 4 * uniformNoise({8, look, part, 0});
                 one.state.bearing = uniformNoise({8, look, part, 1}) - 0.5;
                 one.state.velocity = {0, uniformNoise({8, look, 50, 0}) - 0.5};
-                one.state.edge = viewEdge(one.state.bearing, 1.2);
+                findEdges(one.state, {6, 1.2});
                 const PlantedReading planted = plantedReading(one.state, robot);
                 ChannelNumbers z;
                 for (std::uint32_t c = 0; c < 3; ++c)
@@ -227,6 +227,34 @@ TEST(SensorTraining, FindsWhatReadingsHaveInCommon) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_GT(none[c].alone(), 0.93) << c;
 }
 
+// So little is nearer that a network without an edge there goes on with what it has learned beyond.
+TEST(SensorTraining, FindsThatWhatIsNearestIsNotReported) {
+    SensorSamples samples = plantedSamples(2000, {});
+    SensorNetwork blueprint = cameraBlueprint();
+    blueprint.view.nearest = 1;
+    std::size_t i = 0;
+    for (SensorCase& one : samples.cases) {
+        if (i++ % 150 == 0) {
+            one.state.range = 0.7 + 0.25 * uniformNoise({9, static_cast<std::int64_t>(i), 0, 0});
+            one.reported = false;
+        }
+        findEdges(one.state, blueprint.view);
+    }
+    const auto trained = trainSensor(blueprint, samples, quickly(RegressorFamily::network));
+    ASSERT_TRUE(trained) << trained.error().message();
+    const LearnedSensor sensor(*trained);
+    const auto chanceAt = [&](double range) {
+        SensedState state;
+        state.range = range;
+        findEdges(state, blueprint.view);
+        ReadingDistribution found;
+        sensor.distributions({&state, 1}, 0, {&found, 1});
+        return found.probability();
+    };
+    EXPECT_LT(chanceAt(0.8), 0.1);
+    EXPECT_NEAR(chanceAt(1.2), normalProbability(0.8 - 0.4 * 1.2), 0.1);
+}
+
 TEST(SensorTraining, CountsGrossErrors) {
     SensorSamples samples = plantedSamples(2000, {});
     std::size_t wrong = 0, readings = 0;
@@ -288,7 +316,7 @@ TEST(SensorTraining, RefusesMoreRobotsThanCanBeToldApart) {
     for (int i = 0; i < 300; ++i) samples.robots.push_back("other" + std::to_string(i));
     const auto trained = trainSensor(cameraBlueprint(), samples, atOnce(RegressorFamily::network));
     ASSERT_FALSE(trained);
-    EXPECT_THAT(trained.error().message(), HasSubstr("holds 302 robots; at most 241 can be told apart"));
+    EXPECT_THAT(trained.error().message(), HasSubstr("holds 302 robots; at most 240 can be told apart"));
 }
 
 TEST(SensorTraining, SaysWhatIsTooLittle) {

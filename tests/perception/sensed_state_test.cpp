@@ -1,5 +1,6 @@
 #include "perception/sensed_state.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -30,6 +31,24 @@ TEST(SensedStates, ClearanceIsOfTheNearestOutlineAndNoLessThanHidden) {
     EXPECT_EQ(clearancePast(0.125, 0.25), 0.125);
     EXPECT_EQ(clearancePast(0.125, -1), -SensedState::hidden);
     EXPECT_EQ(clearancePast(-0.125, 0.25), -0.125);
+}
+
+TEST(SensedStates, EdgesAreBlurred) {
+    const View view{6, 1.2, 0.9};
+    SensedState state;
+    state.range = 0.9;
+    state.bearing = -0.6;
+    findEdges(state, view);
+    EXPECT_NEAR(state.edge, 0, 1e-6);
+    EXPECT_NEAR(state.nearEdge, 0, 1e-6);
+    state.range = 0.95;
+    state.bearing = 0.55;
+    findEdges(state, view);
+    EXPECT_NEAR(state.edge, std::tanh(-1), 1e-6);
+    EXPECT_NEAR(state.nearEdge, std::tanh(-1), 1e-6);
+    state.range = 0;
+    findEdges(state, view);
+    EXPECT_NEAR(state.nearEdge, 1, 1e-6);
 }
 
 }  // namespace

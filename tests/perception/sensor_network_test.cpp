@@ -33,6 +33,18 @@ TEST(SensorFiles, AreReadBackToTheBit) {
     EXPECT_TRUE(*other == network);
 }
 
+TEST(SensorFiles, FromBeforeTheNearEdgeAreOfSensorsThatSeeAllThatIsNear) {
+    SensorNetwork network = test::someCamera();
+    std::string text = sensorText(network);
+    const std::string line = "nearest_m = 0.75\n";
+    ASSERT_NE(text.find(line), std::string::npos);
+    text.erase(text.find(line), line.size());
+    const auto old = parseSensor(text, "c.net");
+    ASSERT_TRUE(old) << old.error().message();
+    network.view.nearest = 0;
+    EXPECT_TRUE(*old == network);
+}
+
 TEST(SensorFiles, OfOwnPosesAreReadBackToo) {
     SensorNetwork network = test::constantLocalisation({0.3, 0.01, -0.02, 0.03, -3, -4, -5});
     const SensorNetwork camera = test::someCamera();
@@ -60,6 +72,7 @@ TEST(SensorFiles, ThatDoNotFitAreRefused) {
     EXPECT_THAT(errorOf("components = 2", "components = 9"), HasSubstr("components: "));
     EXPECT_THAT(errorOf("look = 0.1, slow = 0.2", "look = 0.5, slow = 0.4"), HasSubstr("at most 1 together"));
     EXPECT_THAT(errorOf("range_m = 7.5", "range_m = -1"), HasSubstr("c.net:"));
+    EXPECT_THAT(errorOf("nearest_m = 0.75", "nearest_m = 8"), HasSubstr("nearest_m: "));
     EXPECT_THAT(errorOf("field_of_view_rad", "field_of_view_deg"), HasSubstr("field_of_view_rad"));
 }
 

@@ -92,7 +92,7 @@ std::vector<Described> bruteForce(const Scenario& scenario, const WorldState& st
         s.subject = kind;
         s.range = distance(position(eye), place);
         s.bearing = std::remainder(std::atan2(place.y - eye.y, place.x - eye.x) - eye.heading, 2 * std::numbers::pi);
-        s.edge = viewEdge(s.bearing, limits.fieldOfView);
+        findEdges(s, limits);
         if (!limits.margin().holds(s.range, s.bearing)) return;
         found.push_back(
             {{kind, index, place - position(eye), s.range, s.bearing, limits.holds(s.range, s.bearing)}, s});
@@ -211,6 +211,7 @@ TEST(SimulatedView, IsWhatEachBodyAndObstacleMakesIt) {
                 EXPECT_NEAR(states[i].range, s.range, 1e-9);
                 EXPECT_NEAR(states[i].bearing, s.bearing, 1e-9);
                 EXPECT_NEAR(states[i].edge, s.edge, 1e-6);
+                EXPECT_NEAR(states[i].nearEdge, s.nearEdge, 1e-6);
                 EXPECT_NEAR(states[i].clearance, s.clearance, 1e-9);
                 EXPECT_NEAR(states[i].separation, s.separation, 1e-9);
                 EXPECT_NEAR(states[i].nearerSeparation, s.nearerSeparation, 1e-9);
