@@ -90,7 +90,9 @@ bool LearningDisplay::operator()(double share) {
     if (std::exchange(shown_, step) != step) {
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
         line_.show(what_ + ": " + std::to_string(percent) + " %" +
-                   (percent > 0 ? ", about " + durationText(spent.count() / share * (1 - share)) + " left" : ""));
+                   (percent > 0 && percent < 100
+                        ? ", about " + durationText(spent.count() / share * (1 - share)) + " left"
+                        : ""));
     }
     return !wasInterrupted();
 }

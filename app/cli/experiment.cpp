@@ -22,7 +22,7 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
     for (const VariantSummary& variant : summary.variants) {
         if (variant.runs == 0) continue;
         if (!variant.name.empty()) std::printf("%s\n", variant.name.c_str());
-        TextTable table({"", "mean", "deviation", "least", "most", "of", "95 % of the mean"});
+        TextTable table({"", "mean", "95 % interval", "deviation", "least", "most", "of"});
         for (const MeasureSummary& measure : variant.measures) {
             const auto cell = [&](double value) { return measure.count > 0 ? numberOf(value) : "-"; };
             const Estimate& of = measure.estimate;
@@ -30,12 +30,12 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
             const std::string range = known ? '(' + numberOf(of.low) + " to " + numberOf(of.high) + ')' : "";
             // What is left of a sum that cancels is none.
             const double mean = std::abs(measure.mean) < 1e-12 * measure.deviation ? 0 : measure.mean;
-            table.add({measure.name, cell(mean), cell(measure.deviation), cell(measure.least), cell(measure.most),
-                       std::to_string(measure.count), range});
+            table.add({measure.name, cell(mean), range, cell(measure.deviation), cell(measure.least),
+                       cell(measure.most), std::to_string(measure.count)});
         }
         if (!variant.measures.empty()) std::fputs(table.text().c_str(), stdout);
-        std::printf("%lld runs, %lld ended by `until`", static_cast<long long>(variant.runs),
-                    static_cast<long long>(variant.ended));
+        std::printf("%lld runs", static_cast<long long>(variant.runs));
+        if (summary.until) std::printf(", %lld ended by `until`", static_cast<long long>(variant.ended));
         if (variant.faulty > 0) std::printf(", %lld by a fault", static_cast<long long>(variant.faulty));
         std::puts("");
     }

@@ -10,8 +10,8 @@ void RunCount::show(std::int64_t done, std::int64_t all) {
     if (now < next_) return;
     next_ = now + (line_.terminal() ? std::chrono::milliseconds(200) : std::chrono::seconds(10));
     const double each = seconds() / static_cast<double>(done - doneBefore_);
-    line_.show(std::to_string(done) + " of " + std::to_string(all) + " runs, " +
-               durationText(each * static_cast<double>(all - done)) + " left");
+    const std::string left = done < all ? durationText(each * static_cast<double>(all - done)) + " left" : "writing";
+    line_.show(std::to_string(done) + " of " + std::to_string(all) + " runs, " + left);
 }
 
 void printEnd(const RunsDone& of, double seconds, const std::string& folder) {

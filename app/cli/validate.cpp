@@ -12,7 +12,7 @@ namespace mrose::cli {
 namespace {
 
 std::string estimateText(const MeasureValidation& of, const Estimate& estimate, bool difference) {
-    return (difference ? differenceText(of.measure, estimate.value) : measuredText(of.measure, estimate.value)) + " (" +
+    return (difference ? differenceText(of.measure, estimate) : measuredText(of.measure, estimate)) + " (" +
            intervalText(of.measure, estimate) + ')';
 }
 
@@ -25,16 +25,18 @@ void print(const Validation& validation, const ValidationResult& result) {
                        estimateText(of, of.cells[first + 1], false), estimateText(of, of.gain[real ? 1 : 0], true)});
         }
         std::fputs(cells.text().c_str(), stdout);
-        std::printf("of the gain survives %s; %zu trials", survivesText(of).c_str(), of.trials.size());
+        std::printf("gain in %s over gain in %s: %s; %zu trials", validation.reality.c_str(),
+                    validation.simulation.c_str(), survivesText(of).c_str(), of.trials.size());
         if (of.leftOut > 0) std::printf(", %zu left out, without a number in every cell", of.leftOut);
-        std::printf("\nin %s worse by: %s %s, %s %s\n\n", validation.reality.c_str(), validation.before.c_str(),
-                    estimateText(of, of.worse[0], true).c_str(), validation.after.c_str(),
-                    estimateText(of, of.worse[1], true).c_str());
+        std::printf("\nin %s: %s, %s; %s, %s\n\n", validation.reality.c_str(), validation.before.c_str(),
+                    worseText(of.measure, of.worse[0]).c_str(), validation.after.c_str(),
+                    worseText(of.measure, of.worse[1]).c_str());
     }
     const AccountResult& account = result.account;
-    std::printf("simulated %.2f h", account.simulatedHours);
-    if (account.logMinutes) std::printf("; learned from %.1f min of logs", *account.logMinutes);
-    std::printf("; %.1f hours of real robots spared\n", account.sparedHours());
+    std::printf("%.1f hours of real robots spared: %.2f h simulated", account.sparedHours(), account.simulatedHours);
+    if (account.resetHours > 0) std::printf(", %.2f h to set robots up", account.resetHours);
+    if (account.logMinutes) std::printf(", less %.1f min of logs", *account.logMinutes);
+    std::puts("");
 }
 
 int runIt(ValidateRequest request, const CommonFlags& common) {
@@ -75,7 +77,7 @@ Subcommand addValidate(CLI::App& app, CommonFlags& common) {
         app, common, "validate", "Run controllers before and after they learned, in the simulator and in a reality",
         "  mrose validate faster_turns.toml -o validated\n"
         "The reality is one that nothing was learned in: the reference robot, ball and cameras (synthetic), or what\n"
-        "was measured. Gains are paired by trial; a page says what of them survives, and where simulator and\n"
+        "was measured. Gains are paired by trial; a page says what of them holds there, and where simulator and\n"
         "reality disagree most (resources/experiments/README.md). Killed, the same command goes on where it was.");
     addThreads(*sub, common);
     sub->add_option("VALIDATION", request->file, "Validation file, or the name of one that ships")

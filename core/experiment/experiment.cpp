@@ -41,6 +41,7 @@ public:
         summary.done = done_;
         summary.complete = done_ == runs_;
         summary.variants = summarised(experiment_, file_.rows());
+        summary.until = !experiment_.until.empty();
         if (summary.complete)
             if (const auto finished = file_.finish(); !finished) return tl::unexpected(finished.error());
         return summary;

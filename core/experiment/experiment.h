@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct MeasureSummary {
 
 struct VariantSummary {
     std::string name;
+    std::optional<SweepPoint> sweep;
     std::int64_t runs = 0;
     std::int64_t ended = 0;   ///< by `until`
     std::int64_t faulty = 0;  ///< by a fault
@@ -51,6 +53,7 @@ struct ExperimentSummary {
     std::int64_t done = 0;     ///< now
     std::vector<VariantSummary> variants;
     bool complete = false;  ///< results.csv is there
+    bool until = false;     ///< a condition may end runs before their time
 };
 
 /// Runs what is not done yet, each trial with each seed by each variant. A row is kept at once in

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -43,6 +44,8 @@ public:
             if (!root_.failed()) readDraw(table);
         for (TomlTable& table : root_.tablesOrNone("variant"))
             if (!root_.failed()) readVariant(table);
+        for (TomlTable& table : root_.tablesOrNone("sweep"))
+            if (!root_.failed()) readSweep(table);
         if (experiment_.variants.empty()) experiment_.variants.emplace_back();
         readFeatures();
         readMeasures();
@@ -246,29 +249,69 @@ private:
         experiment_.settings.push_back(file);
     }
 
-    void readVariant(TomlTable& table) {
+    /// A variant, and the scenario with all that it sets so far: one place may be within what another has set.
+    struct Varied {
         Variant variant;
-        variant.name = name(table, "name");
-        if (const Value* const named = table.value("name")) variant.line = named->line, variant.column = named->column;
+        ScenarioValue scenario;
+    };
+
+    Varied readSet(TomlTable& table) {
+        Varied varied{{}, experiment_.scenario};
+        if (const Value* const named = table.value("name"))
+            varied.variant.line = named->line, varied.variant.column = named->column;
+        if (table.has("settings")) readSettingsOf(table, varied.variant);
+        for (const auto& [path, value] : varied.variant.set)
+            if (auto with = varied.scenario.with(path, value)) varied.scenario = std::move(*with);
+        TomlTable sets = table.tableOrEmpty("set");
+        const Value* const set = table.has("set") ? table.value("set") : nullptr;
+        if (set != nullptr && set->asTable() != nullptr)
+            for (const auto& [path, value] : *set->asTable()) put(varied, sets, path, value);
+        return varied;
+    }
+    void put(Varied& varied, TomlTable& sets, const std::string& path, const Value& value) {
+        sets.value(path);
+        checkFree(sets, path);
+        if (root_.failed()) return;
+        Value& set = varied.variant.set.emplace_back(path, resolvedIn(varied.scenario, sets, path, path, value)).second;
+        if (auto with = varied.scenario.with(path, set)) varied.scenario = std::move(*with);
+    }
+    void add(TomlTable& table, std::string_view key, Variant variant) {
         const bool taken =
             std::ranges::any_of(experiment_.variants, [&](const Variant& other) { return other.name == variant.name; });
-        if (taken) table.reject("name", "is the name of another variant, too");
-        if (table.has("settings")) readSettingsOf(table, variant);
-        TomlTable sets = table.tableOrEmpty("set");
-        const Value* const named = table.has("set") ? table.value("set") : nullptr;
-        ScenarioValue varied = experiment_.scenario;  // one may be within what another has set
-        for (const auto& [path, value] : variant.set)
-            if (auto with = varied.with(path, value)) varied = std::move(*with);
-        if (named != nullptr && named->asTable() != nullptr)
-            for (const auto& [path, value] : *named->asTable()) {
-                sets.value(path);
-                checkFree(sets, path);
-                if (root_.failed()) break;
-                Value& set = variant.set.emplace_back(path, resolvedIn(varied, sets, path, path, value)).second;
-                if (auto with = varied.with(path, set)) varied = std::move(*with);
-            }
-        table.rejectUnknown();
+        if (taken) table.reject(key, "\"" + variant.name + "\" is the name of another variant, too");
         experiment_.variants.push_back(std::move(variant));
+    }
+
+    void readVariant(TomlTable& table) {
+        Varied varied = readSet(table);
+        varied.variant.name = name(table, "name");
+        table.rejectUnknown();
+        add(table, "name", std::move(varied.variant));
+    }
+
+    /// A variant for each value.
+    void readSweep(TomlTable& table) {
+        const std::string swept = name(table, "name"), unit = table.stringOr("unit", "");
+        const std::vector<double> values = table.someNumbers("values", 2, mostChoices);
+        const Varied base = readSet(table);
+        TomlTable scaled = table.table("scaled");
+        const Value* const factors = table.value("scaled");
+        if (root_.failed()) return;
+        if (factors->asTable()->empty()) table.reject("scaled", "expected at least one place and its factor");
+        for (const double value : values) {
+            Varied varied = base;
+            varied.variant.name = swept + ' ' + shortest(value) + (unit.empty() ? "" : ' ' + unit);
+            varied.variant.sweep = {unit.empty() ? swept : swept + " (" + unit + ')', value};
+            for (const auto& [path, factor] : *factors->asTable())
+                put(varied, scaled, path, Value(value * scaled.number(path)));
+            add(table, "values", std::move(varied.variant));
+        }
+        table.rejectUnknown();
+    }
+
+    static std::string shortest(double value) {
+        char text[32];
+        return {text, std::to_chars(text, text + sizeof text, value).ptr};
     }
 
     std::vector<std::string> keysOf(std::string_view key) {

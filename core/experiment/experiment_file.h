@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,10 +69,17 @@ struct Feature {
     FileExpression expression;
 };
 
+/// Where in a sweep a variant is.
+struct SweepPoint {
+    std::string axis;  ///< what is swept, with its unit: "lost messages (%)"
+    double at = 0;
+};
+
 /// Another way to do the same trials: what it sets in the scenario, after all draws.
 struct Variant {
     std::string name;
-    std::uint32_t line = 0, column = 0;              ///< where its name stands
+    std::optional<SweepPoint> sweep = {};
+    std::uint32_t line = 0, column = 0;              ///< where its name, or that of its sweep, stands
     std::vector<std::pair<std::string, Value>> set;  ///< of its settings file first
 };
 
@@ -90,7 +98,7 @@ struct Experiment {
     FileExpression branch;
     Nanoseconds branchWithin = 0;  ///< after so long it does not branch any more
     std::vector<Draw> draws;
-    std::vector<Variant> variants;      ///< at least one; without any in the file one without a name
+    std::vector<Variant> variants;      ///< at least one; without any in the file one without a name. Sweeps come last
     std::vector<Value::File> settings;  ///< files that variants name
     std::vector<Feature> features;
     std::vector<Measure> measures;

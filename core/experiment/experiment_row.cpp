@@ -99,6 +99,7 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
     for (const Variant& variant : experiment.variants) {
         VariantSummary& summary = summaries.emplace_back();
         summary.name = variant.name;
+        summary.sweep = variant.sweep;
         for (const Feature& feature : experiment.features) summary.measures.push_back({"feature." + feature.name});
         for (const Measure& measure : experiment.measures) summary.measures.push_back({"measure." + measure.name});
     }

@@ -1,10 +1,12 @@
 #include "report/experiment_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/format.h"
 #include "report/mean_figure.h"
 #include "report/measure_label.h"
+#include "report/sweep_figure.h"
 
 namespace mrose {
 namespace {
@@ -49,10 +51,33 @@ Column columnOf(const ExperimentSummary& summary, std::size_t place) {
     return column;
 }
 
+/// Over each axis that was swept a curve; below them a row for each of the other variants.
+std::string figuresOf(const ExperimentSummary& summary, const Column& column) {
+    std::vector<NamedMean> rows;
+    std::vector<std::string> axes;
+    std::vector<std::vector<SweptMean>> curves;
+    for (std::size_t v = 0; v < summary.variants.size(); ++v) {
+        const std::optional<SweepPoint>& sweep = summary.variants[v].sweep;
+        if (!sweep) {
+            rows.push_back(column.means[v]);
+            continue;
+        }
+        const auto axis = static_cast<std::size_t>(std::ranges::find(axes, sweep->axis) - axes.begin());
+        if (axis == axes.size()) axes.push_back(sweep->axis), curves.emplace_back();
+        curves[axis].push_back({sweep->at, column.means[v].mean});
+    }
+    std::string figures;
+    for (std::size_t a = 0; a < axes.size(); ++a) figures += sweepFigure(curves[a], axes[a], column.label);
+    if (axes.size() > 1) figures = element("div", "pair", figures);
+    return cat(figures, rows.empty() ? "" : meanFigure(rows, column.label));
+}
+
 std::string meansTable(const ExperimentSummary& summary, const std::vector<Column>& columns) {
     std::vector<std::string> heads{""};
     for (const Column& column : columns) heads.push_back(escaped(column.label));
-    for (const char* const head : {"runs", "ended", "faults"}) heads.emplace_back(head);
+    heads.emplace_back("runs");
+    if (summary.until) heads.emplace_back("ended");
+    heads.emplace_back("faults");
     HtmlTable table({{"", heads}});
     for (std::size_t v = 0; v < summary.variants.size(); ++v) {
         const VariantSummary& variant = summary.variants[v];
@@ -64,8 +89,9 @@ std::string meansTable(const ExperimentSummary& summary, const std::vector<Colum
                                     ? cat(" <small>", numberOf(mean.low), " to ", numberOf(mean.high), "</small>")
                                     : ""));
         }
-        for (const std::int64_t count : {variant.runs, variant.ended, variant.faulty})
-            cells.push_back(std::to_string(count));
+        cells.push_back(std::to_string(variant.runs));
+        if (summary.until) cells.push_back(std::to_string(variant.ended));
+        cells.push_back(std::to_string(variant.faulty));
         table.row(cells);
     }
     return table.text();
@@ -73,7 +99,7 @@ std::string meansTable(const ExperimentSummary& summary, const std::vector<Colum
 
 /// How a measure spreads, of an experiment without variants.
 std::string spreadTable(const VariantSummary& all) {
-    HtmlTable table({{"", {"", "mean", "95 % of the mean", "deviation", "least", "most", "of runs"}}});
+    HtmlTable table({{"", {"", "mean", "95 % interval", "deviation", "least", "most", "of runs"}}});
     for (const MeasureSummary& measure : all.measures) {
         const double factor = factorOf(measure);
         const auto number = [&](double value) { return measure.count > 0 ? numberOf(factor * value) : ""; };
@@ -100,8 +126,7 @@ std::string experimentReport(const Experiment& experiment, const ExperimentSumma
     for (const std::string& notice : context.notices) body += element("p", "notice", escaped(notice));
     if (summary.variants.size() > 1) {
         body += heading("What it comes to");
-        for (const Column& column : columns)
-            body += card(escaped(column.label), meanFigure(column.means, column.label));
+        for (const Column& column : columns) body += card(escaped(column.label), figuresOf(summary, column));
         body += tableCard(meansTable(summary, columns));
     } else {
         body += cat(heading("What it comes to"), tableCard(spreadTable(summary.variants.front())));

@@ -13,12 +13,12 @@ namespace {
 const std::string minusSign = "\u2212";
 
 std::string valueText(const MeasureValidation& of, const Estimate& estimate) {
-    return cat(measuredText(of.measure, estimate.value, minusSign), " <small>",
-               intervalText(of.measure, estimate, minusSign), "</small>");
+    return cat(measuredText(of.measure, estimate, minusSign), " <small>", intervalText(of.measure, estimate, minusSign),
+               "</small>");
 }
 
 std::string gainText(const MeasureValidation& of, const Estimate& estimate) {
-    return cat(differenceText(of.measure, estimate.value, minusSign), " <small>",
+    return cat(differenceText(of.measure, estimate, minusSign), " <small>",
                intervalText(of.measure, estimate, minusSign), "</small>");
 }
 
@@ -43,30 +43,33 @@ std::string validationHead(const Validation& validation, const ValidationContext
 
 std::string lead(const Validation& validation, const ValidationResult& result) {
     const MeasureValidation& of = result.measures.front();
-    std::string text =
-        cat("<b>", escaped(of.measure.name), "</b> of <b>", escaped(validation.after), "</b> against <b>",
-            escaped(validation.before), "</b>, the same ", counted(of.trials.size(), "trial"),
-            " in both: ", differenceText(of.measure, of.gain[0].value, minusSign), " better in ",
-            escaped(validation.simulation), ", ", differenceText(of.measure, of.gain[1].value, minusSign), " in ",
-            escaped(validation.reality), ". ");
+    std::string text = cat(
+        "<b>", escaped(of.measure.name), "</b> of <b>", escaped(validation.after), "</b> against <b>",
+        escaped(validation.before), "</b>, the same ", counted(of.trials.size(), "trial"),
+        " in both: ", differenceText(of.measure, of.gain[0], minusSign), " better in ", escaped(validation.simulation),
+        ", ", differenceText(of.measure, of.gain[1], minusSign), " in ", escaped(validation.reality), ". ");
     if (std::isfinite(of.survives.value))
-        text += cat("Of the gain survives <b>", escaped(survivesText(of, minusSign)), "</b>.");
+        text += cat("The gain in ", escaped(validation.reality), " is <b>", escaped(survivesText(of, minusSign)),
+                    "</b> of that in ", escaped(validation.simulation), ".");
     return element("p", "lead", text);
 }
 
 std::string validationTiles(const Validation& validation, const ValidationResult& result) {
     const MeasureValidation& of = result.measures.front();
     const auto gain = [&](std::size_t place, const std::string& where) {
-        return tile(cat("gain in ", escaped(where)), differenceText(of.measure, of.gain[place].value, minusSign), "",
+        return tile(cat("gain in ", escaped(where)), differenceText(of.measure, of.gain[place], minusSign), "",
                     cat("95\u00a0% interval ", intervalText(of.measure, of.gain[place], minusSign)));
     };
     const AccountResult& account = result.account;
     const bool known = std::isfinite(of.survives.value);
-    return tileRow(cat(gain(0, validation.simulation), gain(1, validation.reality),
-                       tile("of the gain survives", known ? fixed(100 * of.survives.value, 0) : "–", known ? "%" : "",
-                            escaped(survivesText(of, minusSign))),
-                       tile("hours of real robots spared", fixed(account.sparedHours(), 1), "h",
-                            cat(hoursText(account.simulatedHours), " simulated"))));
+    return tileRow(cat(
+        gain(0, validation.simulation), gain(1, validation.reality),
+        tile(cat(escaped(validation.reality), " over ", escaped(validation.simulation)),
+             known ? fixed(100 * of.survives.value, 0) : "–", known ? "%" : "", escaped(survivesText(of, minusSign))),
+        tile("hours of real robots spared", fixed(account.sparedHours(), 1), "h",
+             cat(hoursText(account.simulatedHours), " simulated",
+                 account.resetHours > 0 ? cat(" and ", hoursText(account.resetHours), " set up") : "",
+                 account.logMinutes ? cat(", less ", fixed(*account.logMinutes, 1), " min of logs") : ""))));
 }
 
 std::string cellTable(const ValidationResult& result) {
@@ -96,12 +99,13 @@ std::string cellTable(const ValidationResult& result) {
 std::string gainTable(const Validation& validation, const ValidationResult& result) {
     HtmlTable table(
         {{"", {""}},
-         {"gain", {escaped(validation.simulation), escaped(validation.reality), "survives"}},
-         {cat("worse in ", escaped(validation.reality)), {escaped(validation.before), escaped(validation.after)}}});
+         {"gain", {escaped(validation.simulation), escaped(validation.reality), "the latter over the former"}},
+         {cat("in ", escaped(validation.reality)), {escaped(validation.before), escaped(validation.after)}}});
     for (const MeasureValidation& of : result.measures)
         table.row({cat(escaped(of.measure.name), of.measure.lessIsBetter ? ", less is better" : ", more is better"),
                    gainText(of, of.gain[0]), gainText(of, of.gain[1]), escaped(survivesText(of, minusSign)),
-                   gainText(of, of.worse[0]), gainText(of, of.worse[1])});
+                   escaped(worseText(of.measure, of.worse[0], minusSign)),
+                   escaped(worseText(of.measure, of.worse[1], minusSign))});
     return table.text();
 }
 
@@ -128,6 +132,11 @@ std::string disagreementSection(const Validation& validation, const ValidationRe
     if (result.disagreements.empty()) return {};
     const MeasureValidation& of = result.measures.front();
     const std::size_t window = results.columnOf("window");
+    const auto alone = [&](double value) {
+        Estimate one;
+        one.value = value;
+        return measuredText(of.measure, one, minusSign);
+    };
     HtmlTable table({{"", {"trial"}},
                      {"", {"seed", "controller", escaped(validation.simulation), escaped(validation.reality)}},
                      {"", {"opens it in the window"}}});
@@ -136,8 +145,7 @@ std::string disagreementSection(const Validation& validation, const ValidationRe
             return cat("<code>", escaped(results.rows[row].at(window)), "</code>");
         };
         table.row({std::to_string(one.trial), std::to_string(one.seed),
-                   escaped(one.after ? validation.after : validation.before),
-                   measuredText(of.measure, one.simulated, minusSign), measuredText(of.measure, one.real, minusSign),
+                   escaped(one.after ? validation.after : validation.before), alone(one.simulated), alone(one.real),
                    cat(command(one.simulatedRow), one.realRow ? cat("<br/>", command(*one.realRow)) : "")});
     }
     return cat(
@@ -185,13 +193,14 @@ std::string meanings(const Validation& validation) {
         definition("gain", cat("Of a trial: by how much ", escaped(validation.after), " is better than ",
                                escaped(validation.before),
                                ", from the same start with the same noise. The interval is Student’s, over trials."));
-    list += definition("survives",
-                       "Mean gain in the reality over mean gain in the simulator, with Fieller’s interval. "
-                       "It is not known where the gain in the simulator may be none.");
+    list += definition("the latter over the former",
+                       "Mean gain in the reality over mean gain in the simulator: what of it survives, with "
+                       "Fieller’s interval. It is not known where the gain in the simulator may be none.");
     list += definition("shares",
                        "Of yes and no: Wilson’s interval; where trials have several seeds their runs count as "
                        "fewer, as far as they are alike.");
-    list += definition("worse", "By how much the same controller does worse in the reality: paired by trial, too.");
+    list += definition("worse, better",
+                       "By how much the same controller does worse in the reality, or better: paired by trial, too.");
     return cat(heading("What the numbers mean"), element("dl", "", list));
 }
 

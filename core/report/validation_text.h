@@ -6,14 +6,17 @@
 
 namespace mrose {
 
-// Numbers of a validation for people, on pages and in the terminal. Signs are those of `minus`: "-" or "\u2212".
+// Numbers of a validation for people, on pages and in the terminal. Signs are those of `minus`: "-" or "\u2212". A
+// value and its interval have the same decimals.
 
 /// "12.3 s", of yes and no "93.1 %".
-std::string measuredText(const ValidatedMeasure& measure, double value, const std::string& minus = "-");
+std::string measuredText(const ValidatedMeasure& measure, const Estimate& value, const std::string& minus = "-");
 /// Of a difference, with its sign: "+1.20 s", of yes and no "-3.4 points".
-std::string differenceText(const ValidatedMeasure& measure, double value, const std::string& minus = "-");
+std::string differenceText(const ValidatedMeasure& measure, const Estimate& value, const std::string& minus = "-");
 /// "1.10 to 1.30", without the unit; "not known" where it has none.
 std::string intervalText(const ValidatedMeasure& measure, const Estimate& estimate, const std::string& minus = "-");
+/// Of a controller, by how much it is worse: "worse by 1.20 s (1.10 to 1.30)", or "better by ...".
+std::string worseText(const ValidatedMeasure& measure, const Estimate& worse, const std::string& minus = "-");
 /// "87 % (80 to 95)", or why it is not known.
 std::string survivesText(const MeasureValidation& of, const std::string& minus = "-");
 

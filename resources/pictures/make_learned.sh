@@ -21,6 +21,8 @@ palette="+dither -colors 255 -strip"
     convert navigation.png $palette "PNG8:$out/navigation.png"
     "$programs/mrose" experiment who_goes_sweep.toml -o sweep --quiet >/dev/null
     "$here/page_figures" sweep/report.html figure
-    convert figure0.png figure1.png figure2.png +append -resize 1560x $palette "PNG8:$out/who_goes_sweep.png"
+    # by measure, over localisation errors and over lost messages: none, one, more
+    convert '(' figure0.png figure2.png figure4.png +append ')' '(' figure1.png figure3.png figure5.png +append ')' \
+        -append -resize 1560x $palette "PNG8:$out/who_goes_sweep.png"
 )
 for picture in ball_off_the_wall navigation who_goes_sweep; do echo "$out/$picture.png"; done

@@ -1,5 +1,6 @@
 #include "experiment/experiment.h"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -107,6 +108,53 @@ TEST_F(ExperimentTest, RowsAreTheSameForAnyNumberOfThreadsAndResumed) {
     ASSERT_TRUE(run(more, "one"));
     EXPECT_EQ(results("one").substr(0, before.size()), before);
     EXPECT_FALSE(run(lane, "one")) << "rows would get lost";
+}
+
+TEST_F(ExperimentTest, ASweepIsAVariantForEachValue) {
+    const Experiment lane = experiment(std::string(drawn) + R"([[variant]]
+name = "as it is"
+[[sweep]]
+name = "pace"
+unit = "%"
+values = [50, 100.5, 150]
+set = { "robot[1].controller.commands[1].w_degps" = 9 }
+scaled = { "robot[1].controller.commands[1].v_mps" = 0.004 }
+[measures]
+commanded = 'robot[1].command_v'
+turned = 'robot[1].command_w'
+)");
+    const auto summary = run(lane);
+    ASSERT_TRUE(summary) << summary.error().message();
+    ASSERT_EQ(summary->variants.size(), 4u);
+    EXPECT_FALSE(summary->variants[0].sweep);
+    for (std::size_t i = 1; i < 4; ++i) {
+        const VariantSummary& variant = summary->variants[i];
+        EXPECT_EQ(variant.name, (std::array{"", "pace 50 %", "pace 100.5 %", "pace 150 %"})[i]);
+        ASSERT_TRUE(variant.sweep);
+        EXPECT_EQ(variant.sweep->axis, "pace (%)");
+        EXPECT_EQ(variant.sweep->at, (std::array{0.0, 50.0, 100.5, 150.0})[i]);
+        EXPECT_NEAR(variant.measures[0].mean, 0.004 * variant.sweep->at, 1e-12);
+        EXPECT_NEAR(variant.measures[1].mean, std::numbers::pi / 20, 1e-12);
+    }
+}
+
+TEST_F(ExperimentTest, SweepsThatAreWrongNameThePlace) {
+    const auto sweep = [&](const std::string& rest) {
+        return refusal("trials = 1\n[[sweep]]\nname = \"pace\"\n" + rest);
+    };
+    const std::string scaled = "scaled = { \"robot[1].controller.commands[1].v_mps\" = 0.01 }\n";
+    EXPECT_THAT(sweep(scaled), HasSubstr("sweep[\"pace\"].values: "));
+    EXPECT_THAT(sweep("values = [1]\n" + scaled), HasSubstr("sweep[\"pace\"].values: "));
+    EXPECT_THAT(sweep("values = [1, \"two\"]\n" + scaled), HasSubstr("values"));
+    EXPECT_THAT(sweep("values = [1, 2, 1]\n" + scaled), HasSubstr("\"pace 1\" is the name of another variant, too"));
+    EXPECT_THAT(sweep("values = [1, 2]\n"), HasSubstr("sweep[\"pace\"].scaled: "));
+    EXPECT_THAT(sweep("values = [1, 2]\nscaled = {}\n"), HasSubstr("expected at least one place and its factor"));
+    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].surface\" = 1 }\n"), HasSubstr("surface"));
+    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].name\" = 1 }\n"), HasSubstr("name"));
+    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { seed = 1 }\n"), HasSubstr("is a key of the experiment itself"));
+    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].controller.commands[1].v_mps\" = \"x\" }\n"),
+                HasSubstr("expected a finite number"));
+    EXPECT_THAT(sweep("values = [1, 2]\nsteps = 3\n" + scaled), HasSubstr("steps"));
 }
 
 TEST_F(ExperimentTest, VariantsOfATrialBeginAlikeAndHaveTheSameNoise) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "report/measure_label.h"
+#include "report/sweep_figure.h"
 #include "support/markup.h"
 
 namespace mrose {
@@ -24,6 +25,7 @@ MeasureSummary measured(const std::string& name, double mean, double low, double
 
 VariantSummary variant(const std::string& name, double time, double share) {
     return {name,
+            {},
             40,
             38,
             1,
@@ -55,6 +57,35 @@ TEST(ExperimentReport, VariantsStandBesideEachOtherInTableAndPictures) {
           "23.46 <small>22.46 to 25.46</small>", "25.00 <small>15.00 to 35.00</small>", "done (%)"})
         EXPECT_THAT(html, HasSubstr(text));
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 2u) << "one for each measure, none for what was asked";
+}
+
+TEST(ExperimentReport, WhatWasSweptIsDrawnAsCurves) {
+    ExperimentSummary summary;
+    summary.variants = {variant("as it is", 20, 0.25)};
+    for (const double at : {10.0, 0.0, 5.0}) {
+        summary.variants.push_back(variant("loss " + std::to_string(at), 20 + at, 0.5));
+        summary.variants.back().sweep = {"lost <messages> (%)", at};
+        summary.variants.push_back(variant("error " + std::to_string(at), 10, 0.5));
+        summary.variants.back().sweep = {"error (cm)", at};
+    }
+    const std::string html = experimentReport(named(), summary, {});
+    EXPECT_EQ(markupError(html), "");
+    EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 6u)
+        << "of each measure two curves, and the variant that is on none";
+    EXPECT_EQ(countOf(html, "time &lt;s&gt; over lost &lt;messages&gt; (%)"), 1u);
+    EXPECT_THAT(html, Not(HasSubstr("ended"))) << "no condition ends them";
+    summary.until = true;
+    EXPECT_THAT(experimentReport(named(), summary, {}), HasSubstr("ended"));
+}
+
+TEST(SweepFigure, LeadsFromValueToValueInTheirOrder) {
+    const SweptMean means[] = {{10, {4, 3, 5}}, {0, {1, 0, 2}}, {5, {}}};
+    const std::string svg = sweepFigure(means, "x", "y");
+    EXPECT_EQ(markupError(svg), "");
+    EXPECT_EQ(countOf(svg, "<circle"), 2u) << "what is not known is left out";
+    const SweptMean turned[] = {{0, {1, 0, 2}}, {10, {4, 3, 5}}};
+    EXPECT_EQ(svg, sweepFigure(turned, "x", "y"));
+    EXPECT_EQ(markupError(sweepFigure({}, "x", "y")), "");
 }
 
 TEST(MeasureLabel, UnitsAreWhatTheNameEndsIn) {

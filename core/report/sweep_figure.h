@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "experiment/estimates.h"
+
+namespace mrose {
+
+struct SweptMean {
+    double at = 0;
+    Estimate mean;
+};
+
+/// A curve over what was swept, in any order, with its 95 % band. Titles with their units.
+std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitle, std::string_view yTitle);
+
+}  // namespace mrose
