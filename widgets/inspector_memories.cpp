@@ -160,8 +160,9 @@ InspectorRow memoryRows(const RowWriter& write, const RowIsOpen& isOpen) {
     }
     const Controller& controller = write.at.scenario->controller(write.body);
     const bool open = isOpen(section.id);
-    const std::vector<MemoryEntry> entries = open ? controller.explain(memory) : std::vector<MemoryEntry>();
-    const std::vector<MemoryEntry> old = open && before.size() == memory.size() ? controller.explain(before) : entries;
+    const std::vector<MemoryEntry> entries = open ? explained(controller, memory) : std::vector<MemoryEntry>();
+    const std::vector<MemoryEntry> old =
+        open && before.size() == memory.size() ? explained(controller, before) : entries;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         section.children.push_back(entryRow(write, entries[i], 0));
         const bool same = i < old.size() && old[i].name == entries[i].name && old[i].text == entries[i].text;

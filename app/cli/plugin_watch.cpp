@@ -243,9 +243,9 @@ public:
         return watched_->commandsPerPeriod(period);
     }
     Attention attention() const override { return watched_->attention(); }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
         const PluginGuard guard(who_);
-        return watched_->explain(memory);
+        watched_->explain(memory, entries);
     }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
         Activity& activity = activityOfThisThread();

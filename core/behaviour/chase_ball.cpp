@@ -230,23 +230,22 @@ void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
         {.kind = Annotation::Kind::line, .label = "shot", .points = {ball, options_.target}});
 }
 
-void ChaseBall::explain(const Memory& memory, std::vector<MemoryEntry>& entries) const {
+void ChaseBall::explain(const Memory& memory, MemoryEntries& entries) const {
     const Nanoseconds now = memory.motion.now();
-    entries.push_back({"state lasts for", toSeconds(std::max<Nanoseconds>(0, memory.phaseEnd - now)), "s"});
-    entries.push_back({"may kick in", toSeconds(std::max<Nanoseconds>(0, memory.nextKick - now)), "s"});
-    entries.push_back({"aim x", memory.aim.x, "m"});
-    entries.push_back({"aim y", memory.aim.y, "m"});
-    entries.push_back({.name = "turns to the", .text = memory.turn < 0 ? "right" : "left"});
+    entries.add("state lasts for", toSeconds(std::max<Nanoseconds>(0, memory.phaseEnd - now)), "s");
+    entries.add("may kick in", toSeconds(std::max<Nanoseconds>(0, memory.nextKick - now)), "s");
+    entries.add("aim x", memory.aim.x, "m");
+    entries.add("aim y", memory.aim.y, "m");
+    entries.add("turns to the", memory.turn < 0 ? "right" : "left");
     explainBall(memory.ball, now, entries);
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
 }
 
-std::vector<MemoryEntry> ChaseBall::explain(std::span<const std::byte> bytes) const {
+void ChaseBall::explain(std::span<const std::byte> bytes, MemoryEntries& entries) const {
     const Memory& memory = as<Memory>(bytes);
-    std::vector<MemoryEntry> entries{{.name = "state", .text = name(memory.phase)}};
+    entries.add("state", name(memory.phase));
     explain(memory, entries);
-    return entries;
 }
 
 std::optional<Command> ChaseBall::backOff(const Observation& observation, Memory& memory) const {

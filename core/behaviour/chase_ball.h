@@ -90,10 +90,10 @@ public:
     Command search(const Observation& observation, Memory& memory) const;
     /// Goes to a place, round others, and looks from there at something.
     Command standBy(const Point& place, const Point& watched, Memory& memory, std::span<const Point> others) const;
-    void explain(const Memory& memory, std::vector<MemoryEntry>& entries) const;
+    void explain(const Memory& memory, MemoryEntries& entries) const;
 
     std::size_t memorySize() const override;
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:

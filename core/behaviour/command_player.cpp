@@ -31,9 +31,9 @@ std::size_t CommandPlayer::commandsPerPeriod(Nanoseconds period) const {
     return most;
 }
 
-std::vector<MemoryEntry> CommandPlayer::explain(std::span<const std::byte> memory) const {
-    return {{"commands played", static_cast<double>(as<Memory>(memory).next)},
-            {"commands in all", static_cast<double>(commands_.size())}};
+void CommandPlayer::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    entries.add("commands played", static_cast<double>(as<Memory>(memory).next));
+    entries.add("commands in all", static_cast<double>(commands_.size()));
 }
 
 void CommandPlayer::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {

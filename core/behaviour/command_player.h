@@ -17,7 +17,7 @@ public:
     std::size_t memorySize() const override;
     std::size_t commandsPerPeriod(Nanoseconds period) const override;
     Attention attention() const override { return reads_; }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:

@@ -264,22 +264,20 @@ void DynamicWindow::markArc(const Surroundings& around, const Choice& choice, De
     decision.annotations.push_back({.label = "clear way (m)", .value = choice.way});
 }
 
-std::vector<MemoryEntry> DynamicWindow::explain(std::span<const std::byte> bytes) const {
+void DynamicWindow::explain(std::span<const std::byte> bytes, MemoryEntries& entries) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
-    std::vector<MemoryEntry> entries{
-        {.name = "state", .text = Driving::names[static_cast<std::size_t>(memory.state) % Driving::names.size()]}};
-    entries.push_back({"waypoint number", static_cast<double>(memory.waypoint + 1)});
+    entries.add("state", Driving::names[static_cast<std::size_t>(memory.state) % Driving::names.size()]);
+    entries.add("waypoint number", static_cast<double>(memory.waypoint + 1));
     if (!options_.waypoints.empty()) {
-        entries.push_back({"waypoint x", waypoint(memory).x, "m"});
-        entries.push_back({"waypoint y", waypoint(memory).y, "m"});
+        entries.add("waypoint x", waypoint(memory).x, "m");
+        entries.add("waypoint y", waypoint(memory).y, "m");
     }
-    entries.push_back({"obstacle points", static_cast<double>(memory.obstacles.count)});
-    entries.push_back({"detour heading", memory.detour, "rad"});
-    entries.push_back({"detour lasts for", toSeconds(std::max<Nanoseconds>(0, memory.detourEnd - now)), "s"});
+    entries.add("obstacle points", static_cast<double>(memory.obstacles.count));
+    entries.add("detour heading", memory.detour, "rad");
+    entries.add("detour lasts for", toSeconds(std::max<Nanoseconds>(0, memory.detourEnd - now)), "s");
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
-    return entries;
 }
 
 void DynamicWindow::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

@@ -102,18 +102,16 @@ void FreeBall::annotate(const Memory& memory, Decision& decision) const {
     decision.annotations.push_back({.kind = Annotation::Kind::line, .label = "stroke", .points = {stop, ball}});
 }
 
-std::vector<MemoryEntry> FreeBall::explain(std::span<const std::byte> bytes) const {
+void FreeBall::explain(std::span<const std::byte> bytes, MemoryEntries& entries) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
-    const std::string state(memory.phase == stroking ? memory.stroke.doing()
-                                                     : freeingNames[static_cast<std::size_t>(memory.phase)]);
-    std::vector<MemoryEntry> entries{{.name = "state", .text = state}};
-    entries.push_back({"strokes", static_cast<double>(memory.stroke.strokes)});
-    entries.push_back({.name = "turns to the", .text = memory.stroke.side < 0 ? "right" : "left"});
+    entries.add("state", memory.phase == stroking ? memory.stroke.doing()
+                                                  : freeingNames[static_cast<std::size_t>(memory.phase)]);
+    entries.add("strokes", static_cast<double>(memory.stroke.strokes));
+    entries.add("turns to the", memory.stroke.side < 0 ? "right" : "left");
     explainBall(memory.ball, now, entries);
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
-    return entries;
 }
 
 void FreeBall::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

@@ -119,24 +119,21 @@ void GoToPose::annotate(const Memory& memory, Decision& decision) const {
                                     .text = Arrival::names[static_cast<std::size_t>(memory.arrival.phase)]});
 }
 
-std::vector<MemoryEntry> GoToPose::explain(std::span<const std::byte> bytes) const {
+void GoToPose::explain(std::span<const std::byte> bytes, MemoryEntries& entries) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
-    std::vector<MemoryEntry> entries;
-    entries.reserve(20);  // asked at every look of an experiment
-    entries.push_back({.name = "state", .text = Arrival::names[static_cast<std::size_t>(memory.arrival.phase)]});
-    entries.push_back({"target number", static_cast<double>(memory.target + 1)});
+    entries.add("state", Arrival::names[static_cast<std::size_t>(memory.arrival.phase)]);
+    entries.add("target number", static_cast<double>(memory.target + 1));
     if (!options_.targets.empty()) {
-        entries.push_back({"target x", target(memory).x, "m"});
-        entries.push_back({"target y", target(memory).y, "m"});
-        entries.push_back({"target heading", target(memory).heading, "rad"});
+        entries.add("target x", target(memory).x, "m");
+        entries.add("target y", target(memory).y, "m");
+        entries.add("target heading", target(memory).heading, "rad");
     }
-    entries.push_back({.name = "drives", .text = memory.arrival.tailFirst != 0 ? "tail first" : "forwards"});
-    entries.push_back({"detour heading", memory.detour, "rad"});
-    entries.push_back({"detour lasts for", toSeconds(std::max<Nanoseconds>(0, memory.detourEnd - now)), "s"});
+    entries.add("drives", memory.arrival.tailFirst != 0 ? "tail first" : "forwards");
+    entries.add("detour heading", memory.detour, "rad");
+    entries.add("detour lasts for", toSeconds(std::max<Nanoseconds>(0, memory.detourEnd - now)), "s");
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
-    return entries;
 }
 
 void GoToPose::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

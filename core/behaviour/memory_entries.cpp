@@ -5,38 +5,38 @@
 
 namespace mrose {
 
-void explainSelf(const OwnBelief& self, Nanoseconds now, std::vector<MemoryEntry>& entries) {
+void explainSelf(const OwnBelief& self, Nanoseconds now, MemoryEntries& entries) {
     if (self.known == 0) {
-        entries.push_back({.name = "own pose", .text = "not known yet"});
+        entries.add("own pose", "not known yet");
         return;
     }
-    entries.push_back({"own x", self.pose.x, "m"});
-    entries.push_back({"own y", self.pose.y, "m"});
-    entries.push_back({"own heading", wrapAngle(self.pose.heading), "rad"});
-    entries.push_back({"own place, std. dev.", std::sqrt(self.positionVariance), "m"});
-    entries.push_back({"own heading, std. dev.", std::sqrt(self.headingVariance), "rad"});
-    entries.push_back({"own pose measured, age", toSeconds(now - self.measured), "s"});
-    entries.push_back({"measurements refused", static_cast<double>(self.refused)});
+    entries.add("own x", self.pose.x, "m");
+    entries.add("own y", self.pose.y, "m");
+    entries.add("own heading", wrapAngle(self.pose.heading), "rad");
+    entries.add("own place, std. dev.", std::sqrt(self.positionVariance), "m");
+    entries.add("own heading, std. dev.", std::sqrt(self.headingVariance), "rad");
+    entries.add("own pose measured, age", toSeconds(now - self.measured), "s");
+    entries.add("measurements refused", static_cast<double>(self.refused));
 }
 
-void explainBall(const BallBelief& ball, Nanoseconds now, std::vector<MemoryEntry>& entries) {
+void explainBall(const BallBelief& ball, Nanoseconds now, MemoryEntries& entries) {
     if (ball.known == 0) {
-        entries.push_back({.name = "ball", .text = "not seen, or lost"});
+        entries.add("ball", "not seen, or lost");
         return;
     }
-    entries.push_back({"ball x", ball.position.x, "m"});
-    entries.push_back({"ball y", ball.position.y, "m"});
-    entries.push_back({"ball vx", ball.velocity.x, "m/s"});
-    entries.push_back({"ball vy", ball.velocity.y, "m/s"});
-    entries.push_back({"ball place, std. dev.", std::sqrt(ball.variance), "m"});
-    entries.push_back({"ball seen, age", toSeconds(now - ball.seen), "s"});
-    entries.push_back({"ball missing for", ball.missing, "s"});
+    entries.add("ball x", ball.position.x, "m");
+    entries.add("ball y", ball.position.y, "m");
+    entries.add("ball vx", ball.velocity.x, "m/s");
+    entries.add("ball vy", ball.velocity.y, "m/s");
+    entries.add("ball place, std. dev.", std::sqrt(ball.variance), "m");
+    entries.add("ball seen, age", toSeconds(now - ball.seen), "s");
+    entries.add("ball missing for", ball.missing, "s");
 }
 
-void explainBackOff(const BackOff& backOff, Nanoseconds now, std::vector<MemoryEntry>& entries) {
-    entries.push_back({"hardly moving for", backOff.hardlyMoving, "s"});
-    entries.push_back({"backs off for", toSeconds(std::max<Nanoseconds>(0, backOff.until - now)), "s"});
-    entries.push_back({"times backed off", static_cast<double>(backOff.times)});
+void explainBackOff(const BackOff& backOff, Nanoseconds now, MemoryEntries& entries) {
+    entries.add("hardly moving for", backOff.hardlyMoving, "s");
+    entries.add("backs off for", toSeconds(std::max<Nanoseconds>(0, backOff.until - now)), "s");
+    entries.add("times backed off", static_cast<double>(backOff.times));
 }
 
 }  // namespace mrose

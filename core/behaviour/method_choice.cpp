@@ -64,21 +64,21 @@ void MethodChoice::consider(const Problem& problem, const Options& options) {
     chosen = 1 + (std::ranges::min_element(to) - to.begin());
 }
 
-void MethodChoice::explain(const Options& options, std::vector<MemoryEntry>& entries) const {
+void MethodChoice::explain(const Options& options, MemoryEntries& entries) const {
     if (options.methods.empty()) return;
     const auto known = [&](double value) { return considered != 0 ? value : std::numeric_limits<double>::quiet_NaN(); };
-    entries.push_back({"considered", static_cast<double>(considered)});
-    entries.push_back({"chosen", static_cast<double>(chosen)});
-    entries.push_back({"robots", known(robots)});
-    entries.push_back({"objects", known(objects)});
-    if (options.time) entries.push_back({"beyond", known(beyond)});
+    entries.add("considered", static_cast<double>(considered));
+    entries.add("chosen", static_cast<double>(chosen));
+    entries.add("robots", known(robots));
+    entries.add("objects", known(objects));
+    if (options.time) entries.add("beyond", known(beyond));
     for (std::size_t k = 0; k < options.methods.size(); ++k) {
         const std::string number = '_' + std::to_string(k + 1);
-        entries.push_back({.name = "method" + number, .text = nameOf(options.methods[k])});
-        if (options.time) entries.push_back({"expected" + number, known(expected[k]), "s"});
+        const EntryName method("method", number);
+        if (entries.wants(method)) entries.add(method, nameOf(options.methods[k]));
+        if (options.time) entries.add(EntryName("expected", number), known(expected[k]), "s");
         for (const NamedEstimate& estimate : namedEstimates)
-            entries.push_back(
-                {std::string(estimate.name) + number, known(estimates[k].*estimate.value), std::string(estimate.unit)});
+            entries.add(EntryName(estimate.name, number), known(estimates[k].*estimate.value), estimate.unit);
     }
 }
 

@@ -61,7 +61,7 @@ struct MethodChoice {
     bool isMade(const Options& options) const { return considered != 0 && (chosen != 0 || !options.time); }
     /// Plans by each method, and chooses the one of the least expected time.
     void consider(const Problem& problem, const Options& options);
-    void explain(const Options& options, std::vector<MemoryEntry>& entries) const;
+    void explain(const Options& options, MemoryEntries& entries) const;
 };
 static_assert(sizeof(MethodChoice) == 7 * 8 + MethodChoice::most * (sizeof(TeamEstimate) + 8), "without padding");
 

@@ -375,28 +375,27 @@ void Navigate::annotate(const Memory& memory, Decision& decision) const {
         {.kind = Annotation::Kind::text, .label = "state", .text = std::string(stateOf(memory))});
 }
 
-std::vector<MemoryEntry> Navigate::explain(std::span<const std::byte> bytes) const {
+void Navigate::explain(std::span<const std::byte> bytes, MemoryEntries& entries) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
-    std::vector<MemoryEntry> entries{{.name = "state", .text = std::string(stateOf(memory))}};
-    entries.push_back({.name = "method", .text = nameOf(methodNow(memory))});
-    entries.push_back({"plans so far", static_cast<double>(memory.planned)});
-    entries.push_back({"path length", lengthOf(memory.path()), "m"});
-    entries.push_back({"progress", memory.progress, "m"});
-    entries.push_back({.name = "conflicts", .text = memory.count > 0 && memory.clear == 0 ? "yes" : "no"});
-    entries.push_back({"stops at", memory.holdAt, "m"});
-    entries.push_back({"stops for", toSeconds(std::max<Nanoseconds>(0, memory.holdUntil - now)), "s"});
-    entries.push_back({"blocked for", memory.blocked, "s"});
+    entries.add("state", stateOf(memory));
+    if (entries.wants("method")) entries.add("method", nameOf(methodNow(memory)));
+    entries.add("plans so far", static_cast<double>(memory.planned));
+    if (entries.wants("path length")) entries.add("path length", lengthOf(memory.path()), "m");
+    entries.add("progress", memory.progress, "m");
+    entries.add("conflicts", memory.count > 0 && memory.clear == 0 ? "yes" : "no");
+    entries.add("stops at", memory.holdAt, "m");
+    entries.add("stops for", toSeconds(std::max<Nanoseconds>(0, memory.holdUntil - now)), "s");
+    entries.add("blocked for", memory.blocked, "s");
     for (std::size_t i = 0; i < memory.objects.size(); ++i)
         if (memory.objects[i].known != 0) {
-            const std::string name = "object " + std::to_string(i + 1);
-            entries.push_back({name + " x", memory.objects[i].place.x, "m"});
-            entries.push_back({name + " y", memory.objects[i].place.y, "m"});
+            const std::string number = std::to_string(i + 1);
+            entries.add(EntryName("object ", number, " x"), memory.objects[i].place.x, "m");
+            entries.add(EntryName("object ", number, " y"), memory.objects[i].place.y, "m");
         }
     memory.choice.explain(options_.choice, entries);
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
-    return entries;
 }
 
 void Navigate::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

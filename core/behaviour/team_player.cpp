@@ -262,32 +262,31 @@ void TeamPlayer::annotate(const Memory& memory, Decision& decision) const {
     if (std::isfinite(memory.cost)) decision.annotations.push_back({.label = "cost", .value = memory.cost});
 }
 
-std::vector<MemoryEntry> TeamPlayer::explain(std::span<const std::byte> bytes) const {
+void TeamPlayer::explain(std::span<const std::byte> bytes, MemoryEntries& entries) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.chase.motion.now();
     const bool goes = memory.role == TeamWord::goes;
     const char* const unit = options_.choose == Choose::nearest ? "m" : "s";
-    std::vector<MemoryEntry> entries;
-    entries.push_back({.name = "state",
-                       .text = goes || memory.chase.phase != ChaseBall::waiting ? ChaseBall::name(memory.chase.phase)
-                               : options_.keeper                                ? "keeping"
-                                                                                : "supporting"});
-    entries.push_back({.name = "role", .text = roleNames[static_cast<std::size_t>(memory.role)]});
-    entries.push_back({.name = "goer", .text = nameOfGoer(memory)});
-    entries.push_back({"since", toSeconds(now - memory.choice.since), "s"});
-    entries.push_back({"switches", static_cast<double>(memory.choice.switches)});
-    entries.push_back({"begun", static_cast<double>(memory.begun)});
-    entries.push_back({"gone", toSeconds(memory.gone), "s"});
+    entries.add("state", goes || memory.chase.phase != ChaseBall::waiting ? ChaseBall::name(memory.chase.phase)
+                         : options_.keeper                                ? "keeping"
+                                                                          : "supporting");
+    entries.add("role", roleNames[static_cast<std::size_t>(memory.role)]);
+    if (entries.wants("goer")) entries.add("goer", nameOfGoer(memory));
+    entries.add("since", toSeconds(now - memory.choice.since), "s");
+    entries.add("switches", static_cast<double>(memory.choice.switches));
+    entries.add("begun", static_cast<double>(memory.begun));
+    entries.add("gone", toSeconds(memory.gone), "s");
     for (std::size_t i = 0; i < options_.team.size(); ++i) {
+        const EntryName name("cost of ", options_.team[i].name);
+        if (!entries.wants(name)) continue;
         const auto bid = memory.choice.newest(i);
-        entries.push_back(
-            {"cost of " + options_.team[i].name, bid ? bid->cost : std::numeric_limits<double>::quiet_NaN(), unit});
+        entries.add(name, bid ? bid->cost : std::numeric_limits<double>::quiet_NaN(), unit);
     }
     const std::array<double, WayToBall::count> numbers = memory.way.numbers();
-    for (std::size_t i = 0; i < numbers.size(); ++i) entries.push_back({wayToBallNames.begin()[i], numbers[i]});
-    if (options_.time) entries.push_back({"beyond what was learned", options_.time->beyond(numbers)});
+    for (std::size_t i = 0; i < numbers.size(); ++i) entries.add(wayToBallNames.begin()[i], numbers[i]);
+    if (options_.time && entries.wants("beyond what was learned"))
+        entries.add("beyond what was learned", options_.time->beyond(numbers));
     chase_.explain(memory.chase, entries);
-    return entries;
 }
 
 }  // namespace mrose

@@ -44,7 +44,7 @@ public:
     explicit TeamPlayer(Options options);
 
     std::size_t memorySize() const override;
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
 private:

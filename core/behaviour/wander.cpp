@@ -69,18 +69,15 @@ Command Wander::stroll(const Observation& observation, Memory& memory) const {
     return evading(alongWalls({options_.speed, memory.turning}, memory), evasion, {options_.speed, options_.rotation});
 }
 
-std::vector<MemoryEntry> Wander::explain(std::span<const std::byte> bytes) const {
+void Wander::explain(std::span<const std::byte> bytes, MemoryEntries& entries) const {
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
-    std::vector<MemoryEntry> entries{{"curve wanted", memory.curve, "rad/s"}, {"curve told", memory.turning, "rad/s"}};
-    entries.push_back({"another curve in", toSeconds(std::max<Nanoseconds>(0, memory.change - now)), "s"});
-    entries.push_back({.name = "turns before a wall",
-                       .text = memory.side == 0  ? "no wall ahead"
-                               : memory.side < 0 ? "right"
-                                                 : "left"});
+    entries.add("curve wanted", memory.curve, "rad/s");
+    entries.add("curve told", memory.turning, "rad/s");
+    entries.add("another curve in", toSeconds(std::max<Nanoseconds>(0, memory.change - now)), "s");
+    entries.add("turns before a wall", memory.side == 0 ? "no wall ahead" : memory.side < 0 ? "right" : "left");
     explainSelf(memory.self, now, entries);
     explainBackOff(memory.backOff, now, entries);
-    return entries;
 }
 
 void Wander::decide(const Observation& observation, std::span<std::byte> bytes, Decision& decision) const {

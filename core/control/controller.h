@@ -91,8 +91,8 @@ public:
     /// Constant. Reading what it leaves out is an error of the controller (Observation::leaveOut()).
     virtual Attention attention() const { return {}; }
 
-    /// What a memory of this controller says; empty where it explains nothing.
-    virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
+    /// Adds what a memory of this controller says; nothing where it explains nothing.
+    virtual void explain(std::span<const std::byte> /*memory*/, MemoryEntries& /*entries*/) const {}
 
     /// Called once per control period; `decision` is empty.
     virtual void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const = 0;

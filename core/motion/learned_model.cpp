@@ -109,10 +109,10 @@ std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const flo
                                    std::span(members).first(noise_->processes.members()));
 }
 
-std::vector<MemoryEntry> LearnedMotion::explainNoise(std::span<const std::byte> memory) const {
-    if (memory.size() <= sizeof(Memory) || !noise_) return {};
+void LearnedMotion::explainNoise(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    if (memory.size() <= sizeof(Memory) || !noise_) return;
     const auto* const values = reinterpret_cast<const float*>(memory.data() + sizeof(Memory) + sizeof(NoiseMemory));
-    return {{"noise_scale", noise_->processes.scale({values, noise_->processes.values()})}};
+    entries.add("noise_scale", noise_->processes.scale({values, noise_->processes.values()}));
 }
 
 MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const float* outputs,
@@ -237,18 +237,17 @@ void LearnedModel::restart(std::span<std::byte> memory) const {
     as<LearnedMotion::Memory>(memory).rotated = before.rotated;
 }
 
-std::vector<MemoryEntry> LearnedModel::explain(std::span<const std::byte> memory) const {
+void LearnedModel::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& kept = as<LearnedMotion::Memory>(memory);
-    if (kept.begun == 0) return {};
-    std::vector<MemoryEntry> entries{{"unperturbed_v", kept.unperturbed.v, "m/s"},
-                                     {"unperturbed_w", kept.unperturbed.w, "rad/s"}};
+    if (kept.begun == 0) return;
+    entries.add("unperturbed_v", kept.unperturbed.v, "m/s");
+    entries.add("unperturbed_w", kept.unperturbed.w, "rad/s");
     if (kept.ahead != 0 || kept.rotated != 0) {
         const TrackerOffset own = motion_->tracker(robot_);
-        entries.push_back({"tracked_point_ahead", own.ahead + static_cast<double>(kept.ahead), "m"});
-        entries.push_back({"tracked_point_rotated", own.rotated + static_cast<double>(kept.rotated), "rad"});
+        entries.add("tracked_point_ahead", own.ahead + static_cast<double>(kept.ahead), "m");
+        entries.add("tracked_point_rotated", own.rotated + static_cast<double>(kept.rotated), "rad");
     }
-    for (MemoryEntry& entry : motion_->explainNoise(memory)) entries.push_back(std::move(entry));
-    return entries;
+    motion_->explainNoise(memory, entries);
 }
 
 void LearnedModel::predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const {

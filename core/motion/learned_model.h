@@ -40,7 +40,7 @@ public:
     /// Bytes that are remembered of a robot: Memory, and where noise is drawn, what that remembers.
     std::size_t memorySize(MotionDraw draw) const;
     /// What the noise remembers, for people.
-    std::vector<MemoryEntry> explainNoise(std::span<const std::byte> memory) const;
+    void explainNoise(std::span<const std::byte> memory, MemoryEntries& entries) const;
 
     /// How the tracked point lies on the robot of this index, as far as the network knows; none of one that it does
     /// not.
@@ -121,7 +121,7 @@ public:
     void adapt(std::span<std::byte> memory, const TrackerEvidence& seen) const override {
         motion_->adapt(robot_, memory, seen);
     }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
     /// Of the members about their mean (of a sample: divided by their number less one), which the steps are.
     void predictWithSpread(std::span<const MotionInput> inputs, std::span<MotionStep> steps,

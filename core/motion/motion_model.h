@@ -71,7 +71,7 @@ public:
     /// point will be. Models that know of no such point leave it.
     virtual void adapt(std::span<std::byte> /*memory*/, const TrackerEvidence& /*seen*/) const {}
     /// What such a memory says.
-    virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
+    virtual void explain(std::span<const std::byte> /*memory*/, MemoryEntries& /*entries*/) const {}
 
     /// From a command's issue to its effect, as it was identified: what a debugger shows. Nothing computes with it.
     struct DeadTimes {

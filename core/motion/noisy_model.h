@@ -23,8 +23,8 @@ public:
     void start(std::span<std::byte> memory) const override { model_->start(memory); }
     void restart(std::span<std::byte> memory) const override { model_->restart(memory); }
     void adapt(std::span<std::byte> memory, const TrackerEvidence& seen) const override { model_->adapt(memory, seen); }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
-        return model_->explain(memory);
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
+        model_->explain(memory, entries);
     }
     const MotionModel& underlying() const override { return model_->underlying(); }
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;

@@ -126,12 +126,12 @@ tl::expected<std::vector<MemoryEntry>, std::string> IsolatedController::askExpla
 }
 
 /// Of a state that is shown or a condition that is asked: what fails here is no fault of the run.
-std::vector<MemoryEntry> IsolatedController::explain(std::span<const std::byte> memory) const {
-    if (as<PluginMemory>(memory).ended != 0) return {};
+void IsolatedController::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    if (as<PluginMemory>(memory).ended != 0) return;
     const std::lock_guard lock(turn_);
-    auto entries = askExplanation(memory);
-    if (!entries) return {{"explain", 0, "", "its plug-in " + entries.error()}};
-    return *std::move(entries);
+    const auto all = askExplanation(memory);
+    if (!all) return entries.add("explain", "its plug-in " + all.error());
+    for (const MemoryEntry& entry : *all) entries.add(entry);
 }
 
 void IsolatedController::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {

@@ -194,13 +194,11 @@ std::size_t PluginController::commandsPerPeriod(Nanoseconds period) const {
     return std::clamp<std::size_t>(count, 1, CommandHistory::capacity);
 }
 
-std::vector<MemoryEntry> PluginController::explain(std::span<const std::byte> memory) const {
-    std::vector<MemoryEntry> entries;
-    if (as<PluginMemory>(memory).ended != 0) return entries;
+void PluginController::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    if (as<PluginMemory>(memory).ended != 0) return;
     const std::string thrown =
-        thrownBy([&] { entries = library_->controller->explain(memory.subspan(sizeof(PluginMemory))); });
-    if (!thrown.empty()) entries = {{"explain", 0, "", thrown}};
-    return entries;
+        thrownBy([&] { library_->controller->explain(memory.subspan(sizeof(PluginMemory)), entries); });
+    if (!thrown.empty()) entries.add("explain", thrown);
 }
 
 void PluginController::decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const {

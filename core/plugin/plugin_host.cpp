@@ -77,7 +77,7 @@ private:
         if (reader.rest().size() != memory_.size()) return "";
         memory_ = reader.rest();
         std::string bytes = begin(PluginMessage::explained);
-        appendEntries(controller_->explain(memory()), bytes);
+        appendEntries(explained(*controller_, memory()), bytes);
         return bytes;
     }
 

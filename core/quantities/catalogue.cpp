@@ -25,9 +25,11 @@ std::vector<Quantity::Item> entriesOf(const Subject& s) {
 }
 
 QuantityValue readEntry(const Subject& s) {
-    for (const MemoryEntry& entry : partEntries(s.at, s.body, s.other))
-        if (entry.name == s.item) return entry.text.empty() ? QuantityValue(entry.value) : QuantityValue(entry.text);
-    return unknownNumber;
+    MemoryEntries wanted(s.item);
+    addPartEntries(s.at, s.body, s.other, wanted);
+    if (wanted.all().empty()) return unknownNumber;
+    const MemoryEntry& entry = wanted.all().front();
+    return entry.text.empty() ? QuantityValue(entry.value) : QuantityValue(entry.text);
 }
 
 std::vector<std::string> wordsOf(std::string_view text) {

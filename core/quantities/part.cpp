@@ -9,30 +9,29 @@ std::string countName(std::string_view reading, const std::string& sensor) {
     return std::string(reading.starts_with(sensor + '.') ? reading.substr(sensor.size() + 1) : reading);
 }
 
-void addReading(const NewestReading& known, std::vector<MemoryEntry>& entries) {
+void addReading(const NewestReading& known, MemoryEntries& entries) {
     const Reading& reading = *known.reading;
     const std::string_view name = reading.name;
     const std::string sensor = known.sensor->name();
     if (name == sensor) {
         const std::vector<MemoryEntry> summary = known.sensor->summary(*known.of, reading);
-        entries.insert(entries.end(), summary.begin(), summary.end());
+        for (const MemoryEntry& entry : summary) entries.add(entry);
         if (!summary.empty()) return;
     }
     if (name != sensor || reading.count != 1) {
-        entries.push_back({countName(name, sensor), static_cast<double>(reading.count)});
+        entries.add(countName(name, sensor), static_cast<double>(reading.count));
         return;
     }
     for (const RecordField& field : reading.type->fields)
-        if (field.count == 1) entries.push_back({field.name, field.numberIn(known.of->recordsOf(reading)), field.unit});
+        if (field.count == 1) entries.add(field.name, field.numberIn(known.of->recordsOf(reading)), field.unit);
 }
 
-std::vector<MemoryEntry> sensorEntries(const Moment& moment, std::size_t robot, std::size_t place) {
+void addSensorEntries(const Moment& moment, std::size_t robot, std::size_t place, MemoryEntries& entries) {
     const Scenario& scenario = *moment.scenario;
     const Sensor& sensor = *scenario.sensors(robot)[place];
-    std::vector<MemoryEntry> entries = sensor.explain(scenario.sensorMemory(*moment.state, robot, place));
+    sensor.explain(scenario.sensorMemory(*moment.state, robot, place), entries);
     for (const NewestReading& known : newestReadings(moment, robot))
         if (known.sensor == &sensor) addReading(known, entries);
-    return entries;
 }
 
 }  // namespace
@@ -48,21 +47,31 @@ std::vector<std::string> partNames(const Scenario& scenario, std::size_t body) {
     return names;
 }
 
-std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part) {
+void addPartEntries(const Moment& moment, std::size_t body, std::size_t part, MemoryEntries& entries) {
     const Scenario& scenario = *moment.scenario;
     const Scene& scene = scenario.scene();
     const std::span<const std::byte> motion = scenario.motionMemory(*moment.state, body);
-    if (body >= scene.robots.size()) return scene.typeOfObject(body - scene.robots.size()).motion->explain(motion);
-    if (part == 0) return scenario.controller(body).explain(scenario.memoryOf(*moment.state, body));
-    if (part == 1) return scene.modelOf(body).explain(motion);
-    return sensorEntries(moment, body, part - firstSensorPart);
+    if (body >= scene.robots.size())
+        scene.typeOfObject(body - scene.robots.size()).motion->explain(motion, entries);
+    else if (part == 0)
+        scenario.controller(body).explain(scenario.memoryOf(*moment.state, body), entries);
+    else if (part == 1)
+        scene.modelOf(body).explain(motion, entries);
+    else
+        addSensorEntries(moment, body, part - firstSensorPart, entries);
+}
+
+std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part) {
+    MemoryEntries entries;
+    addPartEntries(moment, body, part, entries);
+    return entries.all();
 }
 
 std::vector<MemoryEntry> knownEntries(const Moment& moment, std::size_t body, std::size_t part) {
     if (body >= moment.scene().robots.size() || part < firstSensorPart) return {};
     const Sensor& sensor = *moment.scenario->sensors(body)[part - firstSensorPart];
     std::vector<MemoryEntry> known =
-        sensor.explain(moment.scenario->sensorMemory(*moment.state, body, part - firstSensorPart));
+        explained(sensor, moment.scenario->sensorMemory(*moment.state, body, part - firstSensorPart));
     const std::vector<MemoryEntry> summary = sensor.summary({}, {});
     known.insert(known.end(), summary.begin(), summary.end());
     for (const ReadingKind& kind : sensor.gives()) {

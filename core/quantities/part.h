@@ -22,6 +22,8 @@ constexpr std::size_t firstSensorPart = 2;
 /// instant: the numbers of its newest reading where that has one record and the sensor's name, of others how many
 /// records there are.
 std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part);
+/// The same, as far as it is wanted.
+void addPartEntries(const Moment& moment, std::size_t body, std::size_t part, MemoryEntries& entries);
 
 /// All entries that it can have, by their names and units alone, where they are known; of controllers and motion models
 /// they are not.

@@ -38,7 +38,7 @@ public:
     /// Fills the memory at a run's start, and where a ball is put back after a goal. All zero before.
     virtual void start(std::span<std::byte> /*memory*/) const {}
     /// What such a memory says.
-    virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
+    virtual void explain(std::span<const std::byte> /*memory*/, MemoryEntries& /*entries*/) const {}
 
     /// Where the body is `duration` later. A body at rest is asked too. Inputs must be finite.
     virtual ObjectState after(const ObjectInput& input) const = 0;

@@ -70,11 +70,11 @@ bool BodySensor::sound(std::span<const std::byte> memory) const {
     return std::abs(as<Memory>(memory).bearingBias) <= 1e9;
 }
 
-std::vector<MemoryEntry> BodySensor::explain(std::span<const std::byte> memory) const {
-    if (robots_.bearingBias == 0 && objects_.bearingBias == 0) return {};
+void BodySensor::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    if (robots_.bearingBias == 0 && objects_.bearingBias == 0) return;
     const double bias = as<Memory>(memory).bearingBias;
-    return {{"robots_bearing_bias", robots_.bearingBias * bias, "rad"},
-            {"objects_bearing_bias", objects_.bearingBias * bias, "rad"}};
+    entries.add("robots_bearing_bias", robots_.bearingBias * bias, "rad");
+    entries.add("objects_bearing_bias", objects_.bearingBias * bias, "rad");
 }
 
 void BodySensor::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {

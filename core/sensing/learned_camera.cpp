@@ -89,14 +89,11 @@ bool LearnedCamera::sound(std::span<const std::byte> memory) const {
            });
 }
 
-std::vector<MemoryEntry> LearnedCamera::explain(std::span<const std::byte> memory) const {
+void LearnedCamera::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& own = as<Memory>(memory);
-    std::vector<MemoryEntry> entries;
     for (std::size_t i = 0; i < channels; ++i)
         if (weights_.slow[i] > 0)
-            entries.push_back(
-                {std::string("slow_") + channelNames[i], weights_.slow[i] * static_cast<double>(own.slow[i])});
-    return entries;
+            entries.add(EntryName("slow_", channelNames[i]), weights_.slow[i] * static_cast<double>(own.slow[i]));
 }
 
 /// What all readings of a look have in common, by the first draws of the look.

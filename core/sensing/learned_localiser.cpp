@@ -34,14 +34,13 @@ bool LearnedLocaliser::sound(std::span<const std::byte> memory) const {
     return true;
 }
 
-std::vector<MemoryEntry> LearnedLocaliser::explain(std::span<const std::byte> memory) const {
+void LearnedLocaliser::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& own = as<Memory>(memory);
-    if (own.begun == 0) return {};
-    std::vector<MemoryEntry> entries{{"lasting_reported", own.slow[0]}};
+    if (own.begun == 0) return;
+    entries.add("lasting_reported", own.slow[0]);
     std::size_t channel = 1;
     for (const ReadingDimension& dimension : dimensionsOf(SensorNetwork::Measures::pose))
-        entries.push_back({"lasting_" + std::string(dimension.name), own.slow[channel++]});
-    return entries;
+        entries.add(EntryName("lasting_", dimension.name), own.slow[channel++]);
 }
 
 void LearnedLocaliser::carryOn(const SensorView& view, Memory& memory) const {

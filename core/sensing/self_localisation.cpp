@@ -28,10 +28,12 @@ bool SelfLocaliser::sound(std::span<const std::byte> memory) const {
     return m.measured >= -latestTime && m.measured <= latestTime;
 }
 
-std::vector<MemoryEntry> SelfLocaliser::explain(std::span<const std::byte> memory) const {
+void SelfLocaliser::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& m = as<Memory>(memory);
-    if (options_.bias == Pose{}) return {};
-    return {{"bias_x", m.bias.x, "m"}, {"bias_y", m.bias.y, "m"}, {"bias_heading", m.bias.heading, "rad"}};
+    if (options_.bias == Pose{}) return;
+    entries.add("bias_x", m.bias.x, "m");
+    entries.add("bias_y", m.bias.y, "m");
+    entries.add("bias_heading", m.bias.heading, "rad");
 }
 
 NoiseKey SelfLocaliser::keyOf(const SensorView& view, std::uint32_t part) const {

@@ -31,7 +31,7 @@ public:
     Nanoseconds latency() const override { return options_.latency; }
     std::size_t memorySize() const override { return sizeof(Memory); }
     bool sound(std::span<const std::byte> memory) const override;
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
 
 private:

@@ -78,7 +78,7 @@ public:
     /// Whether a memory from a file can be worked with.
     virtual bool sound(std::span<const std::byte> /*memory*/) const { return true; }
     /// What a memory says.
-    virtual std::vector<MemoryEntry> explain(std::span<const std::byte> /*memory*/) const { return {}; }
+    virtual void explain(std::span<const std::byte> /*memory*/, MemoryEntries& /*entries*/) const {}
 
     /// One measurement: what arrives now is added to `out`, as far as `view` wants it. The memory must go on the same
     /// whether anything is wanted or not.

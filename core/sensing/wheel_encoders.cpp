@@ -23,9 +23,11 @@ bool WheelEncoders::sound(std::span<const std::byte> memory) const {
     return true;
 }
 
-std::vector<MemoryEntry> WheelEncoders::explain(std::span<const std::byte> memory) const {
+void WheelEncoders::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& own = as<Memory>(memory);
-    return {{"x", own.reckoned.x, "m"}, {"y", own.reckoned.y, "m"}, {"heading", own.reckoned.heading, "rad"}};
+    entries.add("x", own.reckoned.x, "m");
+    entries.add("y", own.reckoned.y, "m");
+    entries.add("heading", own.reckoned.heading, "rad");
 }
 
 WheelTicks WheelEncoders::ticksOf(const Memory& memory) const {

@@ -42,13 +42,13 @@ void placeHeavySide(ReferenceBall::Memory& memory, const NoiseKey& key) {
 
 }  // namespace
 
-std::vector<MemoryEntry> ReferenceBall::explain(std::span<const std::byte> memory) const {
+void ReferenceBall::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& kept = as<Memory>(memory);
-    if (kept.begun == 0) return {};
-    return {{"synthetic", 0, "", "reference ball"},
-            {"heavy_x", kept.heavyX},
-            {"heavy_y", kept.heavyY},
-            {"heavy_z", kept.heavyZ}};
+    if (kept.begun == 0) return;
+    entries.add("synthetic", "reference ball");
+    entries.add("heavy_x", kept.heavyX);
+    entries.add("heavy_y", kept.heavyY);
+    entries.add("heavy_z", kept.heavyZ);
 }
 
 double ReferenceBall::rollingDeceleration(const Point& place, const Point& velocity, double floor) const {

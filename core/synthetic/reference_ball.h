@@ -48,7 +48,7 @@ public:
 
     const ReferenceBallParameters& parameters() const { return p_; }
     std::size_t memorySize() const override { return sizeof(Memory); }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     ObjectState after(const ObjectInput& input) const override;
 
     /// m/s2: how much a ball that rolls with `velocity` at `place` is slowed down.

@@ -37,17 +37,21 @@ bool ReferenceModel::sameAs(const MotionModel& other) const {
     return reference != nullptr && reference->parameters_ == parameters_ && reference->period_ == period_;
 }
 
-std::vector<MemoryEntry> ReferenceModel::explain(std::span<const std::byte> memory) const {
+void ReferenceModel::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& kept = as<Memory>(memory);
-    if (kept.begun == 0) return {};
+    if (kept.begun == 0) return;
     const ReferenceRobotState& robot = kept.robot;
-    return {
-        {"synthetic", 0, "", "reference robot"},      {"commands_on_their_way", static_cast<double>(robot.linkSize)},
-        {"command_v", robot.command.v, "m/s"},        {"command_w", robot.command.w, "rad/s"},
-        {"set_point_v", robot.setPoint.v, "m/s"},     {"set_point_w", robot.setPoint.w, "rad/s"},
-        {"left_wheel", robot.wheels[0].speed, "m/s"}, {"right_wheel", robot.wheels[1].speed, "m/s"},
-        {"left_drive", robot.wheels[0].drive, "m/s"}, {"right_drive", robot.wheels[1].drive, "m/s"},
-        {"caster", robot.casterAngle, "rad"}};
+    entries.add("synthetic", "reference robot");
+    entries.add("commands_on_their_way", static_cast<double>(robot.linkSize));
+    entries.add("command_v", robot.command.v, "m/s");
+    entries.add("command_w", robot.command.w, "rad/s");
+    entries.add("set_point_v", robot.setPoint.v, "m/s");
+    entries.add("set_point_w", robot.setPoint.w, "rad/s");
+    entries.add("left_wheel", robot.wheels[0].speed, "m/s");
+    entries.add("right_wheel", robot.wheels[1].speed, "m/s");
+    entries.add("left_drive", robot.wheels[0].drive, "m/s");
+    entries.add("right_drive", robot.wheels[1].drive, "m/s");
+    entries.add("caster", robot.casterAngle, "rad");
 }
 
 void ReferenceModel::predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const {

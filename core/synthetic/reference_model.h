@@ -35,7 +35,7 @@ public:
     DeadTimes deadTimes() const override;
     bool sameAs(const MotionModel& other) const override;
     std::size_t memorySize() const override { return sizeof(Memory); }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     /// Without a noise key nothing about it is random.
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;
 

@@ -60,13 +60,13 @@ bool ReferenceSelf::sound(std::span<const std::byte> memory) const {
     return m.measured >= -latestTime && m.measured <= latestTime;
 }
 
-std::vector<MemoryEntry> ReferenceSelf::explain(std::span<const std::byte> memory) const {
+void ReferenceSelf::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& m = as<Memory>(memory);
-    if (m.begun == 0) return {};
-    return {{"synthetic", 0, "", "reference localiser"},
-            {"lasting_x", scale_ * m.belief.x, "m"},
-            {"lasting_y", scale_ * m.belief.y, "m"},
-            {"lasting_heading", scale_ * m.belief.heading, "rad"}};
+    if (m.begun == 0) return;
+    entries.add("synthetic", "reference localiser");
+    entries.add("lasting_x", scale_ * m.belief.x, "m");
+    entries.add("lasting_y", scale_ * m.belief.y, "m");
+    entries.add("lasting_heading", scale_ * m.belief.heading, "rad");
 }
 
 void ReferenceSelf::sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const {

@@ -34,8 +34,9 @@ std::vector<ReadingKind> ReferenceSight::gives() const {
     return {{robotsReading, &recordType<SeenBody>()}, {objectsReading, &recordType<SeenBody>()}};
 }
 
-std::vector<MemoryEntry> ReferenceSight::explain(std::span<const std::byte> memory) const {
-    return {{"synthetic", 0, "", "reference camera"}, {"glare", static_cast<double>(as<Memory>(memory).glare)}};
+void ReferenceSight::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    entries.add("synthetic", "reference camera");
+    entries.add("glare", static_cast<double>(as<Memory>(memory).glare));
 }
 
 void ReferenceSight::see(const SensorView& view, const BodySight& sight, const Bodies& bodies,

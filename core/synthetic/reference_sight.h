@@ -42,7 +42,7 @@ public:
     Nanoseconds latency() const override { return std::max(robots_.latency, objects_.latency); }
     const BodySight* sight() const override { return &robots_; }
     std::size_t memorySize() const override { return sizeof(Memory); }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override;
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override;
 
 private:

@@ -276,7 +276,7 @@ TEST(DynamicWindow, MarksItsGoalAndTheArcThatItTakes) {
         }
     }
     EXPECT_GT(marked, 40);
-    const auto entries = scenario.controller(0).explain(scenario.memoryOf(std::as_const(state), 0));
+    const auto entries = explained(scenario.controller(0), scenario.memoryOf(std::as_const(state), 0));
     EXPECT_EQ(entries.at(0).text, "driving");
 }
 

@@ -27,10 +27,10 @@ std::map<std::string, MemoryEntry> byName(const std::vector<MemoryEntry>& entrie
 TEST(MemoryEntries, SayWhatTheBeliefsHold) {
     OwnBelief self{{1, -2, 7}, 0.04, 0.01, 900'000'000, 1, 3};
     BallBelief ball{{3, 4}, {0.5, -0.25}, 0.09, 2'000'000'000, 1'400'000'000, 0.2, 1};
-    std::vector<MemoryEntry> entries;
+    MemoryEntries entries;
     explainSelf(self, 1'000'000'000, entries);
     explainBall(ball, 2'000'000'000, entries);
-    const auto said = byName(entries);
+    const auto said = byName(entries.all());
     EXPECT_EQ(said.at("own x").value, 1);
     EXPECT_NEAR(said.at("own heading").value, 7 - 2 * 3.14159265358979, 1e-9);
     EXPECT_NEAR(said.at("own place, std. dev.").value, 0.2, 1e-12);
@@ -50,7 +50,8 @@ TEST(MemoryEntries, OfARunningRobotAreNearTheTruth) {
     WorldState state = scenario.initialState();
     StepBuffers buffers;
     for (int tick = 0; tick < 151; ++tick) step(scenario, state, buffers);
-    const auto said = byName(scenario.controller(0).explain(std::as_const(scenario).memoryOf(std::as_const(state), 0)));
+    const auto said =
+        byName(explained(scenario.controller(0), std::as_const(scenario).memoryOf(std::as_const(state), 0)));
     EXPECT_NEAR(said.at("own x").value, state.robots[0].pose.x, 0.05);
     EXPECT_NEAR(said.at("ball x").value, state.objects[0].pose.x, 0.05);
     EXPECT_NEAR(said.at("ball y").value, state.objects[0].pose.y, 0.05);
@@ -65,13 +66,13 @@ TEST(MemoryEntries, EveryBuiltInControllerExplainsItsEmptyMemory) {
     for (const Controller* controller : std::initializer_list<const Controller*>{&chase, &go, &wander, &player}) {
         alignas(8) std::byte memory[1024]{};
         ASSERT_LE(controller->memorySize(), sizeof memory);
-        EXPECT_FALSE(byName(controller->explain({memory, controller->memorySize()})).empty());
+        EXPECT_FALSE(byName(explained(*controller, {memory, controller->memorySize()})).empty());
     }
     ObservationParts observation;
     Decision decision;
     alignas(8) std::byte memory[8]{};
     player.decide(observation, memory, decision);
-    EXPECT_EQ(byName(player.explain(memory)).at("commands played").value, 1);
+    EXPECT_EQ(byName(explained(player, memory)).at("commands played").value, 1);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ Scenario crossing(const MethodChoice::Options& choice) {
 }
 
 std::vector<MemoryEntry> entriesOf(const Scenario& scenario, const WorldState& state, std::size_t robot) {
-    return scenario.controller(robot).explain(scenario.memoryOf(state, robot));
+    return explained(scenario.controller(robot), scenario.memoryOf(state, robot));
 }
 
 TEST(MethodChoice, TheFirstRobotChoosesByItsPlansAndTheOthersFollow) {

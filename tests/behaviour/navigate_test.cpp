@@ -28,7 +28,7 @@ Navigate::Options navigating(const Pose& target, Planner planner, Repair repair)
 }
 
 bool atRest(const Scenario& scenario, const WorldState& state, std::size_t robot) {
-    const auto entries = scenario.controller(robot).explain(scenario.memoryOf(state, robot));
+    const auto entries = explained(scenario.controller(robot), scenario.memoryOf(state, robot));
     return entries.front().text == "resting";
 }
 
@@ -136,7 +136,7 @@ TEST(Navigate, ABoxThatItSawOnceIsRemembered) {
     const Scenario scenario = world.scenario();
     WorldState state = scenario.initialState();
     EXPECT_EQ(touches(scenario, state), 0);
-    const auto entries = scenario.controller(0).explain(scenario.memoryOf(state, 0));
+    const auto entries = explained(scenario.controller(0), scenario.memoryOf(state, 0));
     double x = 0;
     for (const MemoryEntry& entry : entries)
         if (entry.name == "object 1 x") x = entry.value;
@@ -168,7 +168,7 @@ TEST(Navigate, WhereThereIsNoWayItSaysSoAndStands) {
     const Scenario scenario = teamOf(team, Planner::visibilityGraph, Repair::wait);
     WorldState state = scenario.initialState();
     run(scenario, state, 5 * ticksPerSecond);
-    EXPECT_EQ(scenario.controller(0).explain(scenario.memoryOf(state, 0)).front().text, "no way");
+    EXPECT_EQ(explained(scenario.controller(0), scenario.memoryOf(state, 0)).front().text, "no way");
     EXPECT_LT(distance(position(state.robots[0].pose), {1, 2.5}), 0.1);
 }
 

@@ -36,7 +36,7 @@ SmallWorld field(const std::vector<Pose>& starts, const Point& ball, const Perce
 const auto asTheyAre = [](std::size_t, TeamPlayer::Options&) {};
 
 std::string entry(const Scenario& scenario, const WorldState& state, std::size_t robot, const std::string& name) {
-    for (const MemoryEntry& entry : scenario.controller(robot).explain(scenario.memoryOf(state, robot)))
+    for (const MemoryEntry& entry : explained(scenario.controller(robot), scenario.memoryOf(state, robot)))
         if (entry.name == name) return entry.text.empty() ? std::to_string(entry.value) : entry.text;
     return "none";
 }

@@ -189,7 +189,7 @@ TEST(FreeBall, LeavesABallAloneThatIsFree) {
     WorldState state = scenario.initialState();
     run(scenario, state, 20 * ticksPerSecond);
     EXPECT_EQ(position(state.objects[0].pose), (Point{4.5, 2.5}));
-    EXPECT_EQ(scenario.controller(0).explain(scenario.memoryOf(std::as_const(state), 0)).at(0).text, "free");
+    EXPECT_EQ(explained(scenario.controller(0), scenario.memoryOf(std::as_const(state), 0)).at(0).text, "free");
 }
 
 TEST(FreeBall, TurnsABallOutOfACorner) {

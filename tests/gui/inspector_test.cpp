@@ -224,7 +224,7 @@ TEST_F(InspectorTest, ShowsTheControllersNotesAndMemory) {
     EXPECT_GT(changed, 0u);
     EXPECT_EQ(value({"Memory"}), std::to_string(memory.size()) + " bytes, " + std::to_string(changed) + " changed");
     settle();
-    for (const MemoryEntry& entry : frame().scenario->controller(1).explain(memory)) {
+    for (const MemoryEntry& entry : explained(frame().scenario->controller(1), memory)) {
         if (entry.unit == "m") {
             EXPECT_EQ(value({"Memory", qtText(entry.name)}), text(entry.value, 3, "m"));
         }

@@ -103,8 +103,8 @@ TEST(NoisyModel, IsInTheOthersPlaceInAllElse) {
     input.memory = ofLearned;
     learned->predictOne(input);
     EXPECT_EQ(ofNoisy, ofLearned);
-    ASSERT_EQ(noisy->explain(ofNoisy).size(), 2u);
-    EXPECT_EQ(noisy->explain(ofNoisy)[0].value, learned->explain(ofLearned)[0].value);
+    ASSERT_EQ(explained(*noisy, ofNoisy).size(), 2u);
+    EXPECT_EQ(explained(*noisy, ofNoisy)[0].value, explained(*learned, ofLearned)[0].value);
 }
 
 TEST(NoisyModel, IsFoundAndLeftOut) {

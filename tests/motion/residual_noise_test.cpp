@@ -240,8 +240,8 @@ TEST_P(NoisyNetwork, RemembersAllOfItsNoise) {
     EXPECT_EQ(next(memory, 3), next(copy, 3));
     EXPECT_EQ(memory, copy);
     EXPECT_NE(next(memory, 4), next(fresh, 4));
-    EXPECT_EQ(noisy_.explain(memory).back().name, "noise_scale");
-    EXPECT_GT(noisy_.explain(memory).back().value, 0);
+    EXPECT_EQ(explained(noisy_, memory).back().name, "noise_scale");
+    EXPECT_GT(explained(noisy_, memory).back().value, 0);
 }
 
 TEST_P(NoisyNetwork, ItsFileKeepsEveryBit) {

@@ -80,7 +80,7 @@ TEST_F(Isolation, ExplainsAsInTheProgram) {
     apart->start(memory);
     Decision decision;
     apart->decide({}, memory, decision);
-    const auto entries = apart->explain(memory), expected = here->explain(memory);
+    const auto entries = explained(*apart, memory), expected = explained(*here, memory);
     ASSERT_EQ(entries.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(entries[i].name, expected[i].name);
@@ -96,9 +96,9 @@ TEST_F(Isolation, DeadExplanationIsSaid) {
     std::vector<std::byte> memory(controller->memorySize());
     controller->start(memory);
     for (int i = 0; i < 2; ++i) {
-        ASSERT_EQ(controller->explain(memory).size(), 1u);
-        EXPECT_EQ(controller->explain(memory)[0].name, "explain");
-        EXPECT_NE(controller->explain(memory)[0].text, "");
+        ASSERT_EQ(explained(*controller, memory).size(), 1u);
+        EXPECT_EQ(explained(*controller, memory)[0].name, "explain");
+        EXPECT_NE(explained(*controller, memory)[0].text, "");
         Decision decision;
         controller->decide({}, memory, decision);
         EXPECT_EQ(decision.fault, "");

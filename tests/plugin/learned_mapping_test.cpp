@@ -136,7 +136,7 @@ TEST(PluginLandmarks, AreNamedByTheirPlaces) {
     ASSERT_TRUE(scenario) << scenario.error().message();
     std::vector<std::byte> memory(loaded->memorySize());
     loaded->start(memory);
-    EXPECT_EQ(loaded->explain(memory).back().text, "z 2<a>");
+    EXPECT_EQ(explained(*loaded, memory).back().text, "z 2<a>");
     world["s.toml"].replace(world["s.toml"].find("label ="), 7, "landmarks =");
     KeptDescriptions other(world);
     const auto refused = loadScenario("s.toml", other, loading);

@@ -62,18 +62,18 @@ TEST(PluginLoading, ControllerExplainsItsMemory) {
     ASSERT_TRUE(loaded) << loaded.error().message();
     std::vector<std::byte> memory((*loaded)->memorySize());
     (*loaded)->start(memory);
-    const auto entries = (*loaded)->explain(memory);
+    const auto entries = explained(**loaded, memory);
     ASSERT_EQ(entries.size(), 3u);
     EXPECT_EQ(entries[0].name, "count");
     EXPECT_EQ(entries[0].value, 100);
     EXPECT_EQ(entries[1].unit, "rad");
     EXPECT_EQ(entries[2].text, "n");
     as<PluginMemory>(std::span(memory)).ended = 1;
-    EXPECT_TRUE((*loaded)->explain(memory).empty());
+    EXPECT_TRUE(explained(**loaded, memory).empty());
     const auto mute = loadPlugin(testPlugin("misbehaving"), how("explanation"));
     memory.assign((*mute)->memorySize(), {});
-    ASSERT_EQ((*mute)->explain(memory).size(), 1u);
-    EXPECT_EQ((*mute)->explain(memory)[0].text, "threw: no words");
+    ASSERT_EQ(explained(**mute, memory).size(), 1u);
+    EXPECT_EQ(explained(**mute, memory)[0].text, "threw: no words");
 }
 
 TEST(PluginLoading, WhatIsNoPluginIsSaid) {

@@ -1,11 +1,15 @@
 // The catalogue in itself: names, units, what fits whom, what parts of robots offer.
+#include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "condition/condition.h"
+#include "drawing/markup.h"
+#include "quantities/part.h"
 #include "simulation/small_world.h"
 #include "support/shipped.h"
 #include "support/values_at.h"
@@ -101,9 +105,11 @@ public:
         decision.annotations.push_back({Annotation::Kind::text, "mood", 0, "good", {}});
         decision.annotations.push_back({Annotation::Kind::point, "goal", 0, {}, {{3, 4}}});
     }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
         const auto asked = as<std::int64_t>(memory);
-        return {{"asked", double(asked), ""}, {"turn", 0.5 * double(asked), "rad"}, {"mode", 0, "", "searching"}};
+        entries.add("asked", double(asked));
+        entries.add("turn", 0.5 * double(asked), "rad");
+        entries.add("mode", "searching");
     }
 };
 
@@ -151,6 +157,43 @@ TEST(Catalogue, HasWhatPartsOffer) {
     EXPECT_TRUE(readsControl("robot[1].note.count > 2", scenario));
     EXPECT_TRUE(readsControl("robot[1]['controller'].asked > 2", scenario));
     EXPECT_FALSE(readsControl("robot[1].x > 2", scenario));
+}
+
+/// An entry that is asked for alone is made in another way than all of them at once.
+TEST(Catalogue, EachEntryOfAPartIsTheSameAlone) {
+    for (const char* const name : {"soccer", "four_against_four", "navigation_team", "b21_corridor"}) {
+        const Scenario scenario = shippedScenario(name);
+        WorldState state = scenario.initialState();
+        StepBuffers buffers;
+        StepTrace trace;
+        std::vector<RobotInsight> insights(state.robots.size());
+        for (int i = 0; i < 100; ++i) {
+            const std::vector<std::byte> before = state.memory;
+            step(scenario, state, buffers, {}, &trace);
+            noteInsights(scenario, trace, state.tick, before, insights);
+        }
+        const Moment moment{&scenario, &state, &trace, insights};
+        std::size_t count = 0;
+        for (std::size_t body = 0; body < scenario.scene().bodyCount(); ++body)
+            for (std::size_t part = 0; part < partNames(scenario, body).size(); ++part) {
+                std::set<std::string> names;
+                for (const MemoryEntry& expected : partEntries(moment, body, part)) {
+                    SCOPED_TRACE(cat(name, ": ", nameOfBody(scenario.scene(), static_cast<std::uint32_t>(body)), " ",
+                                     partNames(scenario, body)[part], " ", expected.name));
+                    EXPECT_TRUE(names.insert(expected.name).second);
+                    MemoryEntries alone(expected.name);
+                    addPartEntries(moment, body, part, alone);
+                    ASSERT_EQ(alone.all().size(), 1u);
+                    const MemoryEntry& entry = alone.all().front();
+                    EXPECT_EQ(std::tie(entry.name, entry.unit, entry.text),
+                              std::tie(expected.name, expected.unit, expected.text));
+                    EXPECT_TRUE(entry.value == expected.value ||
+                                (std::isnan(entry.value) && std::isnan(expected.value)));
+                    ++count;
+                }
+            }
+        EXPECT_GT(count, 50u) << name;
+    }
 }
 
 }  // namespace

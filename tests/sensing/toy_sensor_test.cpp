@@ -55,8 +55,8 @@ public:
     Nanoseconds period() const override { return traits_.period; }
     Nanoseconds latency() const override { return latency_; }
     std::size_t memorySize() const override { return sizeof(std::uint64_t); }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
-        return {{"heard", static_cast<double>(as<std::uint64_t>(memory))}};
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
+        entries.add("heard", static_cast<double>(as<std::uint64_t>(memory)));
     }
     void sense(const SensorView& view, std::span<std::byte> memory, Observation& out) const override {
         std::uint64_t& heard = as<std::uint64_t>(memory);

@@ -82,8 +82,8 @@ public:
     };
     std::size_t memorySize() const override { return sizeof(Memory); }
     void start(std::span<std::byte> memory) const override { as<Memory>(memory) = {1, 1}; }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
-        return {{"moved", as<Memory>(memory).moved, "s"}};
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
+        entries.add("moved", as<Memory>(memory).moved, "s");
     }
     ObjectState after(const ObjectInput& input) const override {
         as<Memory>(input.memory).moved += input.duration;
@@ -104,7 +104,7 @@ Scenario rememberingWorld(double ballAt = 1) {
 }
 
 double moved(const Scenario& scenario, const WorldState& state, std::size_t body) {
-    return scenario.scene().typeOfObject(body).motion->explain(scenario.motionMemory(state, body))[0].value;
+    return explained(*scenario.scene().typeOfObject(body).motion, scenario.motionMemory(state, body))[0].value;
 }
 
 TEST(ObjectModel, RemembersOnceWhateverTouchesItsBodies) {

@@ -29,8 +29,9 @@ public:
     Nanoseconds lookBack() const override { return 0; }
     std::size_t memorySize() const override { return sizeof(Memory); }
     void start(std::span<std::byte> memory) const override { as<Memory>(memory) = {1, 0}; }
-    std::vector<MemoryEntry> explain(std::span<const std::byte> memory) const override {
-        return {{"charge", as<Memory>(memory).charge}, {"slip", as<Memory>(memory).slip}};
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
+        entries.add("charge", as<Memory>(memory).charge);
+        entries.add("slip", as<Memory>(memory).slip);
     }
     bool sameAs(const MotionModel& other) const override {
         const auto* tiring = dynamic_cast<const TiringDrive*>(&other);

@@ -223,9 +223,9 @@ TEST(ReferenceBall, ExplainsWhatItRemembers) {
     const Scenario scenario = pushedBall();
     WorldState state = scenario.initialState();
     const ObjectModel& model = *scenario.scene().typeOfObject(0).motion;
-    EXPECT_TRUE(model.explain(scenario.motionMemory(state, 2)).empty());
+    EXPECT_TRUE(explained(model, scenario.motionMemory(state, 2)).empty());
     run(scenario, state, 3);
-    const auto entries = model.explain(scenario.motionMemory(state, 2));
+    const auto entries = explained(model, scenario.motionMemory(state, 2));
     ASSERT_EQ(entries.size(), 4u);
     EXPECT_EQ(entries[0].text, "reference ball");
     EXPECT_NEAR(std::hypot(entries[1].value, entries[2].value, entries[3].value), 1, 1e-12);

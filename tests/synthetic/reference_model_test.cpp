@@ -153,9 +153,9 @@ TEST(ReferenceModel, ExplainsWhatItRemembers) {
     const Scenario scenario = driven({{0, {0.2, 0}}}, reference());
     WorldState state = scenario.initialState();
     const MotionModel& model = scenario.scene().modelOf(0);
-    EXPECT_TRUE(model.explain(scenario.motionMemory(state, 0)).empty());
+    EXPECT_TRUE(explained(model, scenario.motionMemory(state, 0)).empty());
     const auto entry = [&](const std::string& name) {
-        for (const MemoryEntry& one : model.explain(scenario.motionMemory(state, 0)))
+        for (const MemoryEntry& one : explained(model, scenario.motionMemory(state, 0)))
             if (one.name == name) return one;
         return MemoryEntry{};
     };

@@ -262,7 +262,7 @@ TEST(ReferencePerception, ExplainsThatItIsSynthetic) {
     run(scenario, state, 20);
     for (std::size_t sensor = 0; sensor < 2; ++sensor) {
         const auto entries =
-            scenario.sensors(0)[sensor]->explain(scenario.sensorMemory(std::as_const(state), 0, sensor));
+            explained(*scenario.sensors(0)[sensor], scenario.sensorMemory(std::as_const(state), 0, sensor));
         ASSERT_FALSE(entries.empty());
         EXPECT_EQ(entries[0].name, "synthetic");
         EXPECT_TRUE(scenario.sensors(0)[sensor]->sound(scenario.sensorMemory(std::as_const(state), 0, sensor)));

@@ -47,14 +47,14 @@ public:
     std::size_t memorySize() const override { return sizeof(Memory); }
     mrose::Attention attention() const override { return mrose::Attention::ofItself(); }
 
-    std::vector<mrose::MemoryEntry> explain(std::span<const std::byte> bytes) const override {
+    void explain(std::span<const std::byte> bytes, mrose::MemoryEntries& entries) const override {
         static constexpr const char* names[] = {"unknown", "approaching", "aligning",
                                                 "docking", "docked",      "backing off"};
         const Memory& memory = mrose::as<Memory>(bytes);
-        return {{.name = "state", .text = names[memory.state]},
-                {"station", static_cast<double>(memory.station + 1), ""},
-                {"self x", memory.self.x, "m"},
-                {"self y", memory.self.y, "m"}};
+        entries.add("state", names[memory.state]);
+        entries.add("station", static_cast<double>(memory.station + 1));
+        entries.add("self x", memory.self.x, "m");
+        entries.add("self y", memory.self.y, "m");
     }
 
     void decide(const mrose::Observation& observation, std::span<std::byte> bytes,

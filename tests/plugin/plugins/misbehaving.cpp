@@ -48,10 +48,9 @@ public:
         if (how_ == "crash when asked for commands") *nowhere = 1;
         return 1;
     }
-    std::vector<mrose::MemoryEntry> explain(std::span<const std::byte>) const override {
+    void explain(std::span<const std::byte>, mrose::MemoryEntries&) const override {
         if (how_ == "explanation") throw std::runtime_error("no words");
         if (how_ == "crash when asked to explain") *nowhere = 1;
-        return {};
     }
     mrose::Attention attention() const override {
         return how_.starts_with("unasked") ? mrose::Attention::ofItself() : mrose::Attention{};

@@ -31,12 +31,12 @@ public:
         return mrose::Attention::only({"self", "odometry", "robots", "messages"});
     }
 
-    std::vector<mrose::MemoryEntry> explain(std::span<const std::byte> memory) const override {
+    void explain(std::span<const std::byte> memory, mrose::MemoryEntries& entries) const override {
         const auto& known = mrose::as<Memory>(memory);
-        std::vector<mrose::MemoryEntry> entries{
-            {"count", static_cast<double>(known.count)}, {"turned", known.turned, "rad"}, {"label", 0, "", label_}};
-        if (!landmarks_.empty()) entries.push_back({"landmarks", 0, "", landmarks_});
-        return entries;
+        entries.add("count", static_cast<double>(known.count));
+        entries.add("turned", known.turned, "rad");
+        entries.add("label", label_);
+        if (!landmarks_.empty()) entries.add("landmarks", landmarks_);
     }
 
     void decide(const mrose::Observation& observation, std::span<std::byte> memory,
