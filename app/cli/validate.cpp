@@ -25,17 +25,19 @@ void print(const Validation& validation, const ValidationResult& result) {
                        estimateText(of, of.cells[first + 1], false), estimateText(of, of.gain[real ? 1 : 0], true)});
         }
         std::fputs(cells.text().c_str(), stdout);
-        std::printf("gain in %s over gain in %s: %s; %zu trials", validation.reality.c_str(),
-                    validation.simulation.c_str(), survivesText(of).c_str(), of.trials.size());
+        std::printf("gain ratio, %s over %s: %s; %zu trials", validation.reality.c_str(), validation.simulation.c_str(),
+                    survivesText(of).c_str(), of.trials.size());
         if (of.leftOut > 0) std::printf(", %zu left out, without a number in every cell", of.leftOut);
         std::printf("\nin %s: %s, %s; %s, %s\n\n", validation.reality.c_str(), validation.before.c_str(),
-                    worseText(of.measure, of.worse[0]).c_str(), validation.after.c_str(),
-                    worseText(of.measure, of.worse[1]).c_str());
+                    gainWithIntervalText(of.measure, negated(of.worse[0])).c_str(), validation.after.c_str(),
+                    gainWithIntervalText(of.measure, negated(of.worse[1])).c_str());
     }
     const AccountResult& account = result.account;
-    std::printf("%.1f hours of real robots spared: %.2f h simulated", account.sparedHours(), account.simulatedHours);
-    if (account.resetHours > 0) std::printf(", %.2f h to set robots up", account.resetHours);
-    if (account.logMinutes) std::printf(", less %.1f min of logs", *account.logMinutes);
+    std::printf(account.sparedHours() > 0 ? "%.2f h of real robots spared" : "no hours of real robots spared",
+                account.sparedHours());
+    std::printf(": %.2f h simulated", account.simulatedHours);
+    if (account.resetHours > 0) std::printf(" and %.2f h to set robots up", account.resetHours);
+    if (account.logMinutes) std::printf(", less %.2f h of logs", *account.logMinutes / 60);
     std::puts("");
 }
 

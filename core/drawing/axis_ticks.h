@@ -9,6 +9,8 @@ struct PlotRange {
 };
 /// One that can be drawn: from 0 on where it begins nowhere, one unit long where it has no length.
 PlotRange usable(PlotRange range);
+/// With some room at both ends: a share of its length, or of its value where it has no length.
+PlotRange withRoom(PlotRange range, double share);
 
 /// Multiples of 1, 2 or 5 times a power of ten within [low, high], about `wanted` of them.
 struct AxisTicks {

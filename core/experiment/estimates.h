@@ -12,6 +12,8 @@ struct Estimate {
     Estimate(double of, double least, double most) : value(of), low(least), high(most) {}
 };
 
+inline Estimate negated(const Estimate& of) { return {-of.value, -of.high, -of.low}; }
+
 /// The quantile of Student's distribution with `degrees` of freedom below which 97.5 % lie; infinite for none.
 double studentQuantile(std::size_t degrees);
 

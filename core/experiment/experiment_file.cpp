@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
 
+#include "io/format.h"
 #include "scenario/description_library.h"
 #include "scenario/description_reader.h"
 #include "scenario/settings_file.h"
@@ -16,6 +16,7 @@
 namespace mrose {
 namespace {
 
+constexpr std::size_t mostOfUnit = 16;
 constexpr std::int64_t mostTrials = 10'000'000, mostSeeds = 1'000'000, mostChoices = 1000;
 constexpr std::array measureWords{std::string_view("least"),   std::string_view("most"),  std::string_view("mean"),
                                   std::string_view("seconds"), std::string_view("times"), std::string_view("first"),
@@ -179,23 +180,30 @@ private:
         resolveChoices(table, draw);
     }
 
-    /// What a value is when it stands somewhere in the scenario: with the files that it names. Rejects what does not
-    /// fit.
-    Value resolved(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
-        return resolvedIn(experiment_.scenario, table, key, path, value);
-    }
-    Value resolvedIn(const ScenarioValue& scenario, TomlTable& table, std::string_view key, const std::string& path,
-                     const Value& value) {
+    /// What a value is when it stands somewhere in the scenario: with the files that it names. Error: why it does not
+    /// fit there.
+    tl::expected<Value, std::string> resolved(const ScenarioValue& scenario, const std::string& path,
+                                              const Value& value) {
         auto changed = scenario.with(path, value);
-        if (!changed) return table.reject(key, path + ": " + changed.error().cause), value;
+        if (!changed) return tl::unexpected(path + ": " + changed.error().cause);
         const auto loaded = loadScenario(*changed, library_, loading_);
         if (!loaded) {
             // Lines of the scenario are not those of what is set in it.
             const Error& error = loaded.error();
-            return table.reject(key, (error.key.empty() ? path : error.key) + ": " + error.cause), value;
+            return tl::unexpected((error.key.empty() ? path : error.key) + ": " + error.cause);
         }
         const Value* const there = loaded->value.at(path);
         return there != nullptr ? *there : value;
+    }
+    /// Rejects what does not fit.
+    Value resolvedIn(const ScenarioValue& scenario, TomlTable& table, std::string_view key, const std::string& path,
+                     const Value& value) {
+        auto there = resolved(scenario, path, value);
+        if (!there) table.reject(key, there.error());
+        return there.value_or(value);
+    }
+    Value resolved(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
+        return resolvedIn(experiment_.scenario, table, key, path, value);
     }
     /// Puts it there for all trials.
     void keep(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
@@ -257,23 +265,26 @@ private:
 
     Varied readSet(TomlTable& table) {
         Varied varied{{}, experiment_.scenario};
-        if (const Value* const named = table.value("name"))
-            varied.variant.line = named->line, varied.variant.column = named->column;
+        if (const Value* const called = table.value("name"))
+            varied.variant.line = called->line, varied.variant.column = called->column;
         if (table.has("settings")) readSettingsOf(table, varied.variant);
         for (const auto& [path, value] : varied.variant.set)
             if (auto with = varied.scenario.with(path, value)) varied.scenario = std::move(*with);
         TomlTable sets = table.tableOrEmpty("set");
-        const Value* const set = table.has("set") ? table.value("set") : nullptr;
-        if (set != nullptr && set->asTable() != nullptr)
-            for (const auto& [path, value] : *set->asTable()) put(varied, sets, path, value);
+        const Value* const named = table.has("set") ? table.value("set") : nullptr;
+        if (named != nullptr && named->asTable() != nullptr)
+            for (const auto& [path, value] : *named->asTable()) put(varied, sets, path, value);
         return varied;
     }
     void put(Varied& varied, TomlTable& sets, const std::string& path, const Value& value) {
         sets.value(path);
         checkFree(sets, path);
         if (root_.failed()) return;
-        Value& set = varied.variant.set.emplace_back(path, resolvedIn(varied.scenario, sets, path, path, value)).second;
-        if (auto with = varied.scenario.with(path, set)) varied.scenario = std::move(*with);
+        set(varied, path, resolvedIn(varied.scenario, sets, path, path, value));
+    }
+    static void set(Varied& varied, const std::string& path, const Value& value) {
+        varied.variant.set.emplace_back(path, value);
+        if (auto with = varied.scenario.with(path, value)) varied.scenario = std::move(*with);
     }
     void add(TomlTable& table, std::string_view key, Variant variant) {
         const bool taken =
@@ -291,27 +302,34 @@ private:
 
     /// A variant for each value.
     void readSweep(TomlTable& table) {
-        const std::string swept = name(table, "name"), unit = table.stringOr("unit", "");
-        const std::vector<double> values = table.someNumbers("values", 2, mostChoices);
+        SweepPoint point{name(table, "name"), table.has("unit") ? name(table, "unit") : "", 0};
+        if (point.unit.size() > mostOfUnit) table.reject("unit", "is too long; expected at most 16 characters");
+        const std::vector<double> values = table.someNumbers("values", 2, mostChoices, {-1e12, 1e12});
         const Varied base = readSet(table);
         TomlTable scaled = table.table("scaled");
         const Value* const factors = table.value("scaled");
+        table.rejectUnknown();
         if (root_.failed()) return;
+        for (const Variant& other : experiment_.variants)
+            if (other.sweep && other.sweep->name == point.name)
+                return table.reject("name", "is the name of another sweep, too");
         if (factors->asTable()->empty()) table.reject("scaled", "expected at least one place and its factor");
-        for (const double value : values) {
+        for (std::size_t i = 0; i < values.size() && !root_.failed(); ++i) {
+            point.at = values[i] + 0.0;  // no -0
             Varied varied = base;
-            varied.variant.name = swept + ' ' + shortest(value) + (unit.empty() ? "" : ' ' + unit);
-            varied.variant.sweep = {unit.empty() ? swept : swept + " (" + unit + ')', value};
-            for (const auto& [path, factor] : *factors->asTable())
-                put(varied, scaled, path, Value(value * scaled.number(path)));
+            varied.variant.name =
+                point.name + ' ' + plainNumberText(point.at) + (point.unit.empty() ? "" : " ") + point.unit;
+            varied.variant.sweep = point;
+            for (const auto& [path, factor] : *factors->asTable()) {
+                checkFree(scaled, path);
+                const double product = point.at * scaled.number(path);
+                if (root_.failed()) return;
+                const auto value = resolved(varied.scenario, path, Value(product));
+                if (!value) return table.rejectElement("values", i, value.error());
+                set(varied, path, *value);
+            }
             add(table, "values", std::move(varied.variant));
         }
-        table.rejectUnknown();
-    }
-
-    static std::string shortest(double value) {
-        char text[32];
-        return {text, std::to_chars(text, text + sizeof text, value).ptr};
     }
 
     std::vector<std::string> keysOf(std::string_view key) {

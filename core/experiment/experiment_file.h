@@ -71,7 +71,7 @@ struct Feature {
 
 /// Where in a sweep a variant is.
 struct SweepPoint {
-    std::string axis;  ///< what is swept, with its unit: "lost messages (%)"
+    std::string name, unit;  ///< of the sweep, "lost messages" and "%"; the unit may be ""
     double at = 0;
 };
 

@@ -33,7 +33,7 @@ public:
                    (options.until != nullptr && readsInsights(options.until->text(), scenario))),
           first_(state.tick),
           insights_(follows_ ? state.robots.size() : 0),
-          result_{RunEnd::duration, state, RunStatistics(scenario, state), {}} {
+          result_{RunEnd::duration, state, RunStatistics(scenario, state, options.countsUnfamiliar), {}} {
         trace_.asksUnread = follows_ || options.traceUnread;
     }
 

@@ -26,8 +26,9 @@ struct RunOptions {
     /// Told the run's end, of whatever kind. May be empty.
     std::function<void(const Moment&)> finally = {};
     bool endOnFault = false;
-    bool checkRewind = false;  ///< takes every tick twice; the run ends where that makes a difference
-    bool traceUnread = false;  ///< StepTrace::asksUnread; for a condition that reads sensors so it is without
+    bool checkRewind = false;      ///< takes every tick twice; the run ends where that makes a difference
+    bool traceUnread = false;      ///< StepTrace::asksUnread; for a condition that reads sensors so it is without
+    bool countsUnfamiliar = true;  ///< RunStatistics::unfamiliar, which costs some 7 % of a run
     /// Called after every tick with its trace; false stops the run. May be empty.
     std::function<bool(const WorldState&, const StepTrace&)> each = {};
 };

@@ -32,6 +32,7 @@ Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledE
     RunOptions options;
     options.duration = scenario.parts().duration;
     options.endOnFault = true;
+    options.countsUnfamiliar = false;  // rows do not say it
     options.watchFollows = compiled.follows;
     options.every = ticksBetweenLooks(experiment, scenario.scene());
     options.drawn = asked.drawn;

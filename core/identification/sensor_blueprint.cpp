@@ -9,13 +9,16 @@
 namespace mrose {
 namespace {
 
-std::vector<std::string_view> quantitiesFor(SensorNetwork::Measures measures) {
-    if (measures == SensorNetwork::Measures::pose)
+std::vector<std::string_view> quantitiesFor(const SensorNetwork& network) {
+    if (network.measures == SensorNetwork::Measures::pose)
         return {"x", "y", "heading_sine", "heading_cosine", "speed", "rotation", "rotation_size"};
-    return {"range",         "nearness",  "bearing",        "bearing_size",          "bearing_depth",
-            "view_edge",     "near_edge", "rotation",       "rotation_size",         "speed",
-            "is_robot",      "clearance", "log_separation", "log_nearer_separation", "others_in_view",
-            "unknown_robots"};
+    std::vector<std::string_view> quantities{"range",        "nearness",      "bearing",
+                                             "bearing_size", "bearing_depth", "view_edge"};
+    if (network.view.nearest > 0) quantities.push_back("near_edge");
+    for (const std::string_view other : {"rotation", "rotation_size", "speed", "is_robot", "clearance",
+                                         "log_separation", "log_nearer_separation", "others_in_view", "unknown_robots"})
+        quantities.push_back(other);
+    return quantities;
 }
 
 /// Mean and standard deviation of each input over all cases; of what does not change, 1.
@@ -70,7 +73,7 @@ private:
 
 std::vector<NetworkVariable> sensorInputsFor(const SensorNetwork& network, const SensorSamples& samples) {
     std::vector<NetworkVariable> inputs;
-    for (const std::string_view name : quantitiesFor(network.measures)) {
+    for (const std::string_view name : quantitiesFor(network)) {
         const auto quantity = std::ranges::find(sensorQuantities(), name, &SensorQuantity::name);
         inputs.push_back({std::string(quantity->name), std::string(quantity->unit)});
     }

@@ -40,6 +40,11 @@ std::string fixedWithMinus(double value, int decimals) {
     return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
+std::string plainNumberText(double value) {
+    const std::string text = numberText(value);
+    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
+
 std::string numberText(double value) { return shortest(value); }
 std::string numberText(float value) { return shortest(value); }
 

@@ -19,6 +19,8 @@ std::string fixedWithMinus(double value, int decimals);
 /// locale.
 std::string numberText(double value);
 std::string numberText(float value);
+/// The same as people write it: 64, not 64.0.
+std::string plainNumberText(double value);
 
 /// 16 hexadecimal digits.
 std::string hexadecimal(std::uint64_t value);

@@ -165,7 +165,12 @@ double TomlTable::numberOr(std::string_view key, double fallback, NumberRange ra
 std::int64_t TomlTable::integer(std::string_view key, std::int64_t least, std::int64_t most) {
     const Value* node = find(key);
     if (!node) return least;
-    const std::int64_t* const value = node->asInteger();
+    std::optional<std::int64_t> value;
+    if (const std::int64_t* const whole = node->asInteger()) value = *whole;
+    // What is drawn or swept is computed: 64.0.
+    if (const double* const number = node->asFloat();
+        number && std::abs(*number) < 1e15 && std::trunc(*number) == *number)
+        value = static_cast<std::int64_t>(*number);
     if (value && *value >= least && *value <= most) return *value;
     rejectAt(node, key, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return least;

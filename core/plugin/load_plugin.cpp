@@ -108,6 +108,8 @@ std::string incompatibility(const PluginDescriptor& theirs) {
                  {"ReceivedMessage", &PluginLayout::receivedMessage},
                  {"Attention", &PluginLayout::attention},
                  {"MemoryEntry", &PluginLayout::memoryEntry},
+                 {"MemoryEntries", &PluginLayout::memoryEntries},
+                 {"EntryName", &PluginLayout::entryName},
                  {"Command", &PluginLayout::command},
                  {"MappingVariable", &PluginLayout::mappingVariable}};
     for (const auto& [name, size] : parts)

@@ -54,7 +54,7 @@ inline const LearnedMapping* PluginOptions::mapping(const char* key, std::initia
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 7;
+constexpr std::uint32_t pluginInterface = 8;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {
@@ -62,7 +62,8 @@ struct PluginLayout {
                   recordField = sizeof(RecordField), seenBody = sizeof(SeenBody), decision = sizeof(Decision),
                   annotation = sizeof(Annotation), kick = sizeof(Kick), stampedCommand = sizeof(StampedCommand),
                   radioMessage = sizeof(RadioMessage), receivedMessage = sizeof(ReceivedMessage),
-                  attention = sizeof(Attention), memoryEntry = sizeof(MemoryEntry), command = sizeof(Command),
+                  attention = sizeof(Attention), memoryEntry = sizeof(MemoryEntry),
+                  memoryEntries = sizeof(MemoryEntries), entryName = sizeof(EntryName), command = sizeof(Command),
                   mappingVariable = sizeof(MappingVariable);
 };
 

@@ -64,7 +64,7 @@ void addPartEntries(const Moment& moment, std::size_t body, std::size_t part, Me
 std::vector<MemoryEntry> partEntries(const Moment& moment, std::size_t body, std::size_t part) {
     MemoryEntries entries;
     addPartEntries(moment, body, part, entries);
-    return entries.all();
+    return std::move(entries).all();
 }
 
 std::vector<MemoryEntry> knownEntries(const Moment& moment, std::size_t body, std::size_t part) {

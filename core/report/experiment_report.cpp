@@ -40,8 +40,12 @@ struct Column {
 
 Column columnOf(const ExperimentSummary& summary, std::size_t place) {
     Column column;
-    for (const VariantSummary& variant : summary.variants)
+    bool known = false;
+    for (const VariantSummary& variant : summary.variants) {
+        known = known || variant.measures[place].count > 0;
         column.share = column.share && (variant.measures[place].share || variant.measures[place].count == 0);
+    }
+    column.share = column.share && known;
     for (const VariantSummary& variant : summary.variants) {
         Estimate mean = variant.measures[place].estimate;
         if (column.share) mean = {100 * mean.value, 100 * mean.low, 100 * mean.high};
@@ -51,10 +55,12 @@ Column columnOf(const ExperimentSummary& summary, std::size_t place) {
     return column;
 }
 
-/// Over each axis that was swept a curve; below them a row for each of the other variants.
+/// Over what was swept a curve for each sweep; below them a row for each of the other variants.
 std::string figuresOf(const ExperimentSummary& summary, const Column& column) {
+    if (std::ranges::none_of(column.means, [](const NamedMean& one) { return std::isfinite(one.mean.value); }))
+        return paragraph("Not known in any run.");
     std::vector<NamedMean> rows;
-    std::vector<std::string> axes;
+    std::vector<std::string> titles;
     std::vector<std::vector<SweptMean>> curves;
     for (std::size_t v = 0; v < summary.variants.size(); ++v) {
         const std::optional<SweepPoint>& sweep = summary.variants[v].sweep;
@@ -62,13 +68,14 @@ std::string figuresOf(const ExperimentSummary& summary, const Column& column) {
             rows.push_back(column.means[v]);
             continue;
         }
-        const auto axis = static_cast<std::size_t>(std::ranges::find(axes, sweep->axis) - axes.begin());
-        if (axis == axes.size()) axes.push_back(sweep->axis), curves.emplace_back();
-        curves[axis].push_back({sweep->at, column.means[v].mean});
+        const std::string title = sweep->unit.empty() ? sweep->name : cat(sweep->name, " (", sweep->unit, ")");
+        const auto curve = static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
+        if (curve == titles.size()) titles.push_back(title), curves.emplace_back();
+        curves[curve].push_back({sweep->at, column.means[v].mean});
     }
     std::string figures;
-    for (std::size_t a = 0; a < axes.size(); ++a) figures += sweepFigure(curves[a], axes[a], column.label);
-    if (axes.size() > 1) figures = element("div", "pair", figures);
+    for (std::size_t i = 0; i < titles.size(); ++i) figures += sweepFigure(curves[i], titles[i], column.label);
+    if (titles.size() > 1) figures = element("div", "pair", figures);
     return cat(figures, rows.empty() ? "" : meanFigure(rows, column.label));
 }
 
@@ -131,11 +138,11 @@ std::string experimentReport(const Experiment& experiment, const ExperimentSumma
     } else {
         body += cat(heading("What it comes to"), tableCard(spreadTable(summary.variants.front())));
     }
-    body += cat(
-        heading("What the numbers mean"),
-        paragraph("Means over all runs in which the measure is known. Intervals are of 95\u00a0%, over trials: runs "
-                  "of a trial count as one; of shares by Wilson’s interval. Variants have the same trials with "
-                  "the same noise: their differences are more certain than the intervals look."));
+    body += cat(heading("What the numbers mean"),
+                paragraph("Means over all runs in which the measure is known. Intervals, and bands around curves, are "
+                          "of 95\u00a0%, over trials: runs "
+                          "of a trial count as one; of shares by Wilson’s interval. Variants have the same trials with "
+                          "the same noise: their differences are more certain than the intervals look."));
     if (!context.commandLine.empty())
         body += cat(heading("Where this comes from"),
                     paragraph(cat("<code>", escaped(context.commandLine),

@@ -25,10 +25,9 @@ std::string meanFigure(std::span<const NamedMean> means, std::string_view title)
             any = true;
         }
     }
-    const double room = 0.08 * std::max(high - low, 1e-9);
     const double rows = static_cast<double>(means.size()), left = 24 + letterWidth * static_cast<double>(longest);
     const SvgPlot::Layout layout{.width = left + plotWidth + 16, .height = rowHeight * rows + 58, .left = left};
-    SvgPlot plot(layout, {low - room, high + room}, {0, rows}, title);
+    SvgPlot plot(layout, withRoom({low, high}, 0.08), {0, rows}, title);
     plot.levelAxis(title);
     for (std::size_t i = 0; i < means.size(); ++i) {
         const Estimate& mean = means[i].mean;

@@ -91,7 +91,7 @@ rect.k0 { fill: var(--k0); } rect.k1 { fill: var(--k1); } rect.k2 { fill: var(--
 .realband { fill: var(--real); stroke: none; opacity: .28; } .realband.inner { opacity: .5; }
 .edge { stroke-width: 1.6; stroke-dasharray: none; } .edge.outer { stroke-width: 1.4; stroke-dasharray: 5 3; }
 .realmark { fill: var(--real); stroke: var(--card); stroke-width: 1; } .realmiss { --c: var(--realarrow); stroke-width: 1.4; }
-.sample { fill: var(--c0); opacity: .55; } .subject { fill: var(--ink); } .unreported { fill: var(--card); stroke: var(--ink); stroke-width: 1.6; }
+.mark { fill: var(--c0); } .sample { fill: var(--c0); opacity: .55; } .subject { fill: var(--ink); } .unreported { fill: var(--card); stroke: var(--ink); stroke-width: 1.6; }
 .body { fill: var(--k0); opacity: .6; } .own { fill: var(--ink); } .arc { --c: var(--rule); stroke-width: 1; } .sight { --c: var(--soft); stroke-width: 1.2; stroke-dasharray: 5 3; } .sight.over { --c: #fff; }
 rect.even { fill: var(--c0); opacity: .55; } .nothing { fill: var(--grid); }
 .v0 { fill: #440154; } .v1 { fill: #482878; } .v2 { fill: #3e4989; } .v3 { fill: #31688e; } .v4 { fill: #26828e; }

@@ -221,7 +221,8 @@ std::string experimentJson(const ExperimentSummary& summary, const std::string& 
                     {"runs", variant.runs},
                     {"ended_by_condition", variant.ended},
                     {"ended_by_fault", variant.faulty}};
-        if (variant.sweep) one["sweep"] = {{"axis", variant.sweep->axis}, {"at", variant.sweep->at}};
+        if (variant.sweep)
+            one["sweep"] = {{"name", variant.sweep->name}, {"unit", variant.sweep->unit}, {"value", variant.sweep->at}};
         for (const MeasureSummary& measure : variant.measures) {
             const auto number = [&](double value) { return measure.count > 0 ? Printed(value) : Printed(nullptr); };
             one["measures"][measure.name] = {{"count", measure.count},

@@ -8,31 +8,46 @@
 #include "drawing/svg_plot.h"
 
 namespace mrose {
+namespace {
+
+/// Points that follow one another, all of them known.
+struct Stretch {
+    std::vector<Point> line, low, high;
+};
+
+}  // namespace
 
 std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitle, std::string_view yTitle) {
-    std::vector<SweptMean> known;
-    for (const SweptMean& one : means)
-        if (std::isfinite(one.mean.value)) known.push_back(one);
-    std::ranges::sort(known, {}, &SweptMean::at);
-    std::vector<Point> line, low, high;
+    std::vector<SweptMean> sorted(means.begin(), means.end());
+    std::ranges::sort(sorted, {}, &SweptMean::at);
+    std::vector<Stretch> stretches(1);
     PlotRange x{0, 0}, y{0, 0};
-    for (const SweptMean& one : known) {
+    bool any = false;
+    for (const SweptMean& one : sorted) {
+        x = {sorted.front().at, one.at};
+        if (!std::isfinite(one.mean.value)) {
+            stretches.emplace_back();
+            continue;
+        }
         const bool interval = std::isfinite(one.mean.low);
-        line.push_back({one.at, one.mean.value});
-        low.push_back({one.at, interval ? one.mean.low : one.mean.value});
-        high.push_back({one.at, interval ? one.mean.high : one.mean.value});
-        const bool first = line.size() == 1;
-        x = {first ? one.at : x.low, one.at};
-        y = {first ? low.back().y : std::min(y.low, low.back().y),
-             first ? high.back().y : std::max(y.high, high.back().y)};
+        const double low = interval ? one.mean.low : one.mean.value, high = interval ? one.mean.high : one.mean.value;
+        y = {any ? std::min(y.low, low) : low, any ? std::max(y.high, high) : high};
+        any = true;
+        stretches.back().line.push_back({one.at, one.mean.value});
+        stretches.back().low.push_back({one.at, low});
+        stretches.back().high.push_back({one.at, high});
     }
-    const double aside = 0.02 * (x.high - x.low), above = 0.06 * std::max(y.high - y.low, 1e-9);
-    SvgPlot plot({.width = 440, .height = 250}, {x.low - aside, x.high + aside}, {y.low - above, y.high + above},
+    y = withRoom(y, 0.06);
+    SvgPlot plot({.width = 460, .height = 250, .left = 70, .right = 30}, withRoom(x, 0.03), y,
                  cat(yTitle, " over ", xTitle));
     plot.axes(xTitle, yTitle);
-    plot.band(low, high, "band");
-    plot.line(line, "s0");
-    for (const Point& point : line) plot.circle(point, 3.5, "sample");
+    for (const Stretch& stretch : stretches) {
+        plot.band(stretch.low, stretch.high, "band");
+        plot.line(stretch.line, "s0");
+        for (const Point& point : stretch.line) plot.circle(point, 3.8, "mark");
+    }
+    for (const SweptMean& one : sorted)
+        if (!std::isfinite(one.mean.value)) plot.circle({one.at, y.low}, 3.8, "unreported");
     return plot.text();
 }
 

@@ -13,7 +13,8 @@ struct SweptMean {
     Estimate mean;
 };
 
-/// A curve over what was swept, in any order, with its 95 % band. Titles with their units.
+/// A curve over what was swept, in any order, with its 95 % band; it is broken, with a hollow mark on the axis, where a
+/// mean is not known. Titles with their units.
 std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitle, std::string_view yTitle);
 
 }  // namespace mrose

@@ -17,7 +17,7 @@ std::string valueText(const MeasureValidation& of, const Estimate& estimate) {
                "</small>");
 }
 
-std::string gainText(const MeasureValidation& of, const Estimate& estimate) {
+std::string gainCell(const MeasureValidation& of, const Estimate& estimate) {
     return cat(differenceText(of.measure, estimate, minusSign), " <small>",
                intervalText(of.measure, estimate, minusSign), "</small>");
 }
@@ -43,15 +43,21 @@ std::string validationHead(const Validation& validation, const ValidationContext
 
 std::string lead(const Validation& validation, const ValidationResult& result) {
     const MeasureValidation& of = result.measures.front();
-    std::string text = cat(
-        "<b>", escaped(of.measure.name), "</b> of <b>", escaped(validation.after), "</b> against <b>",
-        escaped(validation.before), "</b>, the same ", counted(of.trials.size(), "trial"),
-        " in both: ", differenceText(of.measure, of.gain[0], minusSign), " better in ", escaped(validation.simulation),
-        ", ", differenceText(of.measure, of.gain[1], minusSign), " in ", escaped(validation.reality), ". ");
+    std::string text =
+        cat("<b>", escaped(of.measure.name), "</b> of <b>", escaped(validation.after), "</b> against <b>",
+            escaped(validation.before), "</b>, the same ", counted(of.trials.size(), "trial"),
+            " in both: ", gainText(of.measure, of.gain[0]), " in ", escaped(validation.simulation), ", ",
+            gainText(of.measure, of.gain[1]), " in ", escaped(validation.reality), ". ");
     if (std::isfinite(of.survives.value))
-        text += cat("The gain in ", escaped(validation.reality), " is <b>", escaped(survivesText(of, minusSign)),
-                    "</b> of that in ", escaped(validation.simulation), ".");
+        text += cat("The gain ratio is <b>", escaped(survivesText(of, minusSign)), "</b>.");
     return element("p", "lead", text);
+}
+
+/// Of the tile, whose value is the ratio.
+std::string ratioNote(const MeasureValidation& of) {
+    if (!std::isfinite(of.survives.value)) return escaped(survivesText(of, minusSign));
+    return cat("95\u00a0% interval ", fixedWithMinus(100 * of.survives.low, 0), " to ",
+               fixedWithMinus(100 * of.survives.high, 0), "\u00a0%");
 }
 
 std::string validationTiles(const Validation& validation, const ValidationResult& result) {
@@ -62,14 +68,13 @@ std::string validationTiles(const Validation& validation, const ValidationResult
     };
     const AccountResult& account = result.account;
     const bool known = std::isfinite(of.survives.value);
-    return tileRow(cat(
-        gain(0, validation.simulation), gain(1, validation.reality),
-        tile(cat(escaped(validation.reality), " over ", escaped(validation.simulation)),
-             known ? fixed(100 * of.survives.value, 0) : "–", known ? "%" : "", escaped(survivesText(of, minusSign))),
-        tile("hours of real robots spared", fixed(account.sparedHours(), 1), "h",
-             cat(hoursText(account.simulatedHours), " simulated",
-                 account.resetHours > 0 ? cat(" and ", hoursText(account.resetHours), " set up") : "",
-                 account.logMinutes ? cat(", less ", fixed(*account.logMinutes, 1), " min of logs") : ""))));
+    return tileRow(
+        cat(gain(0, validation.simulation), gain(1, validation.reality),
+            tile("gain ratio", known ? fixed(100 * of.survives.value, 0) : "–", known ? "%" : "", ratioNote(of)),
+            tile("hours of real robots spared", fixed(account.sparedHours(), 1), "h",
+                 cat(hoursText(account.simulatedHours), " simulated",
+                     account.resetHours > 0 ? cat(" and ", hoursText(account.resetHours), " set up") : "",
+                     account.logMinutes ? cat(", less ", hoursText(*account.logMinutes / 60), " of logs") : ""))));
 }
 
 std::string cellTable(const ValidationResult& result) {
@@ -99,13 +104,13 @@ std::string cellTable(const ValidationResult& result) {
 std::string gainTable(const Validation& validation, const ValidationResult& result) {
     HtmlTable table(
         {{"", {""}},
-         {"gain", {escaped(validation.simulation), escaped(validation.reality), "the latter over the former"}},
+         {"gain", {escaped(validation.simulation), escaped(validation.reality), "gain ratio"}},
          {cat("in ", escaped(validation.reality)), {escaped(validation.before), escaped(validation.after)}}});
     for (const MeasureValidation& of : result.measures)
         table.row({cat(escaped(of.measure.name), of.measure.lessIsBetter ? ", less is better" : ", more is better"),
-                   gainText(of, of.gain[0]), gainText(of, of.gain[1]), escaped(survivesText(of, minusSign)),
-                   escaped(worseText(of.measure, of.worse[0], minusSign)),
-                   escaped(worseText(of.measure, of.worse[1], minusSign))});
+                   gainCell(of, of.gain[0]), gainCell(of, of.gain[1]), escaped(survivesText(of, minusSign)),
+                   escaped(gainWithIntervalText(of.measure, negated(of.worse[0]), minusSign)),
+                   escaped(gainWithIntervalText(of.measure, negated(of.worse[1]), minusSign))});
     return table.text();
 }
 
@@ -132,11 +137,6 @@ std::string disagreementSection(const Validation& validation, const ValidationRe
     if (result.disagreements.empty()) return {};
     const MeasureValidation& of = result.measures.front();
     const std::size_t window = results.columnOf("window");
-    const auto alone = [&](double value) {
-        Estimate one;
-        one.value = value;
-        return measuredText(of.measure, one, minusSign);
-    };
     HtmlTable table({{"", {"trial"}},
                      {"", {"seed", "controller", escaped(validation.simulation), escaped(validation.reality)}},
                      {"", {"opens it in the window"}}});
@@ -145,7 +145,8 @@ std::string disagreementSection(const Validation& validation, const ValidationRe
             return cat("<code>", escaped(results.rows[row].at(window)), "</code>");
         };
         table.row({std::to_string(one.trial), std::to_string(one.seed),
-                   escaped(one.after ? validation.after : validation.before), alone(one.simulated), alone(one.real),
+                   escaped(one.after ? validation.after : validation.before),
+                   measuredText(of.measure, one.simulated, minusSign), measuredText(of.measure, one.real, minusSign),
                    cat(command(one.simulatedRow), one.realRow ? cat("<br/>", command(*one.realRow)) : "")});
     }
     return cat(
@@ -193,7 +194,7 @@ std::string meanings(const Validation& validation) {
         definition("gain", cat("Of a trial: by how much ", escaped(validation.after), " is better than ",
                                escaped(validation.before),
                                ", from the same start with the same noise. The interval is Student’s, over trials."));
-    list += definition("the latter over the former",
+    list += definition("gain ratio",
                        "Mean gain in the reality over mean gain in the simulator: what of it survives, with "
                        "Fieller’s interval. It is not known where the gain in the simulator may be none.");
     list += definition("shares",

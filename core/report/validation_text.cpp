@@ -12,17 +12,25 @@ constexpr double inPercent = 100;
 
 double shown(const ValidatedMeasure& measure, double value) { return measure.yesNo ? inPercent * value : value; }
 
-/// Three figures, but no more decimals than a reader wants, nor than the interval leaves.
+/// Two figures of the interval's half width; without an interval three of the value.
 int decimalsOf(const ValidatedMeasure& measure, const Estimate& of) {
     if (measure.yesNo) return 1;
     const double width = 0.5 * (of.high - of.low);
-    const double size = std::isfinite(width) ? std::max(std::abs(of.value), width) : std::abs(of.value);
-    return size >= 100 ? 1 : size >= 1 ? 2 : size >= 0.1 ? 3 : 4;
+    const bool known = std::isfinite(width) && width > 0;
+    const double size = known ? width : std::abs(of.value);
+    if (size == 0) return 2;
+    return std::clamp((known ? 1 : 2) - static_cast<int>(std::floor(std::log10(size))), 0, 4);
 }
 
 std::string numberOf(double value, int decimals, const std::string& minus) {
-    const std::string text = fixed(std::abs(value), decimals);
-    return value < 0 ? minus + text : text;
+    const std::string text = fixed(value, decimals);
+    return text.starts_with('-') ? minus + text.substr(1) : text;
+}
+
+/// Of a difference.
+std::string withUnit(const ValidatedMeasure& measure, const std::string& number) {
+    const std::string unit = measure.yesNo ? "points" : measure.unit;
+    return unit.empty() ? number : number + ' ' + unit;
 }
 
 }  // namespace
@@ -33,10 +41,15 @@ std::string measuredText(const ValidatedMeasure& measure, const Estimate& value,
     return unit.empty() ? number : number + ' ' + unit;
 }
 
+std::string measuredText(const ValidatedMeasure& measure, double value, const std::string& minus) {
+    Estimate alone;
+    alone.value = value;
+    return measuredText(measure, alone, minus);
+}
+
 std::string differenceText(const ValidatedMeasure& measure, const Estimate& value, const std::string& minus) {
     const std::string number = numberOf(shown(measure, value.value), decimalsOf(measure, value), minus);
-    const std::string unit = measure.yesNo ? "points" : measure.unit;
-    return (value.value > 0 ? "+" : "") + number + (unit.empty() ? "" : ' ' + unit);
+    return (value.value > 0 ? "+" : "") + withUnit(measure, number);
 }
 
 std::string intervalText(const ValidatedMeasure& measure, const Estimate& estimate, const std::string& minus) {
@@ -46,14 +59,17 @@ std::string intervalText(const ValidatedMeasure& measure, const Estimate& estima
            numberOf(shown(measure, estimate.high), decimals, minus);
 }
 
-std::string worseText(const ValidatedMeasure& measure, const Estimate& worse, const std::string& minus) {
-    if (!std::isfinite(worse.value)) return "not known";
-    const bool better = worse.value < 0;
-    const Estimate by = better ? Estimate(-worse.value, -worse.high, -worse.low) : worse;
-    const std::string number = numberOf(shown(measure, by.value), decimalsOf(measure, by), minus);
-    const std::string unit = measure.yesNo ? "points" : measure.unit;
-    return (better ? "better by " : "worse by ") + number + (unit.empty() ? "" : ' ' + unit) + " (" +
-           intervalText(measure, by, minus) + ')';
+std::string gainText(const ValidatedMeasure& measure, const Estimate& gain) {
+    if (!std::isfinite(gain.value)) return "not known";
+    const std::string number = fixed(std::abs(shown(measure, gain.value)), decimalsOf(measure, gain));
+    if (number.find_first_not_of("0.") == std::string::npos) return "as good";
+    return (gain.value < 0 ? "worse by " : "better by ") + withUnit(measure, number);
+}
+
+std::string gainWithIntervalText(const ValidatedMeasure& measure, const Estimate& gain, const std::string& minus) {
+    const bool worse = gainText(measure, gain).starts_with("worse");
+    const Estimate by = worse ? negated(gain) : gain;
+    return gainText(measure, gain) + " (" + intervalText(measure, by, minus) + ')';
 }
 
 std::string survivesText(const MeasureValidation& of, const std::string& minus) {

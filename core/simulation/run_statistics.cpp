@@ -4,7 +4,7 @@
 
 namespace mrose {
 
-RunStatistics::RunStatistics(const Scenario& scenario, const WorldState& start)
+RunStatistics::RunStatistics(const Scenario& scenario, const WorldState& start, bool countsUnfamiliar)
     : goals(scenario.scene().environment.goals.size()),
       driven(scenario.scene().robots.size()),
       scenario_(&scenario),
@@ -13,7 +13,8 @@ RunStatistics::RunStatistics(const Scenario& scenario, const WorldState& start)
     for (const RobotState& robot : start.robots) places_.push_back(position(robot.pose));
     const Scene& scene = scenario.scene();
     for (std::size_t i = 0; i < scene.robots.size(); ++i)
-        unfamiliar.push_back(familiarDriving(scene, i) != nullptr ? std::optional<std::int64_t>(0) : std::nullopt);
+        unfamiliar.push_back(countsUnfamiliar && familiarDriving(scene, i) != nullptr ? std::optional<std::int64_t>(0)
+                                                                                      : std::nullopt);
     while (ball_ < scene.objects.size() && !scene.typeOfObject(ball_).rolls) ++ball_;
 }
 

@@ -24,13 +24,13 @@ struct RunStatistics {
     std::string firstFault;            ///< "robot 2 (keeper): its controller ..."; empty: none
     std::vector<double> driven;        ///< by each robot, m
     /// How long each robot's driving was unfamiliar to its network when it was decided (FamiliarDriving::bound);
-    /// nullopt of one whose motion model cannot say so.
+    /// nullopt of one whose motion model cannot say so, and where it is not counted.
     std::vector<std::optional<std::int64_t>> unfamiliar;  ///< ticks
     std::int64_t anyUnfamiliar = 0;                       ///< ticks in which that was so of some robot
     Nanoseconds ballStill = 0;  ///< how long the first ball lay still: of ticks at whose end it did
 
     /// Of a run that begins at `start`.
-    RunStatistics(const Scenario& scenario, const WorldState& start);
+    RunStatistics(const Scenario& scenario, const WorldState& start, bool countsUnfamiliar = true);
     /// One tick: the state after it, and its trace.
     void add(const WorldState& after, const StepTrace& trace);
 

@@ -249,6 +249,7 @@ private:
             }
         Value::Table content = *experimentFile_->content.asTable();
         content["variant"] = Value(std::move(variants));
+        content.erase("sweep");
         if (fromStart_)
             for (const char* const key : {"branch", "branch_within_s"}) content.erase(key);
         content["trials"] = trials_;

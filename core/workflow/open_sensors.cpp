@@ -77,8 +77,9 @@ ReportContext sensorContext(const SensorNetwork& network, const EvaluateSensorRe
                        counted(static_cast<std::size_t>(network.form.components), "normal distribution") +
                        " in its mixture");
     if (network.measures == SensorNetwork::Measures::subjects)
-        fact("field of view", fixed(degrees * network.view.fieldOfView, 1) + "°, " + fixed(network.view.nearest, 2) +
-                                  " to " + fixed(network.view.range, 2) + " m");
+        fact("field of view", fixed(degrees * network.view.fieldOfView, 1) + "°, " +
+                                  (network.view.nearest > 0 ? fixed(network.view.nearest, 2) + " to " : "") +
+                                  fixed(network.view.range, 2) + " m");
     fact("latency", fixed(1000 * toSeconds(network.latency), 0) + " ms");
     fact("gross errors", fixed(100 * network.gross.share, 3) + " % of the readings");
     fact("ideal plus noise", noiseText(network));

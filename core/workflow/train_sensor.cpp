@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "identification/nearest_seen.h"
 #include "identification/sensor_summary.h"
 #include "io/format.h"
 #include "logs/log_lookup.h"
@@ -16,7 +17,7 @@
 namespace mrose {
 namespace {
 
-/// So large is at most this share of the values.
+/// What this share of the values does not exceed.
 double quantileOf(std::vector<double> values, double share) {
     if (values.empty()) return 1;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -31,15 +32,16 @@ void lookAround(SensorNetwork& blueprint, SensorSampleOptions& sampling, const s
     wide.view = {1e3, 6.2};
     blueprint.landmarks = blueprint.robotSubjects = false;
     std::vector<double> ranges, bearings;
-    for (const SensorCase& one : sensorSamples(logs, wide).cases) {
+    const SensorSamples samples = sensorSamples(logs, wide);
+    for (const SensorCase& one : samples.cases) {
         if (!one.reported) continue;
         ranges.push_back(one.state.range);
         bearings.push_back(std::abs(one.state.bearing));
         (one.state.subject == SubjectKind::robot ? blueprint.robotSubjects : blueprint.landmarks) = true;
     }
-    blueprint.view.nearest = quantileOf(ranges, 0.001);
     blueprint.view.range = quantileOf(std::move(ranges), 0.999);
     blueprint.view.fieldOfView = 2 * quantileOf(std::move(bearings), 0.995);
+    blueprint.view.nearest = nearestSeen(samples, blueprint.view);
     sampling.view = blueprint.view;
     sampling.landmarks = blueprint.landmarks;
     sampling.robotSubjects = blueprint.robotSubjects;

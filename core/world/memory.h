@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace mrose {
@@ -26,7 +27,8 @@ struct MemoryEntry {
     std::string text = {};  ///< instead of the value, where there is one
 };
 
-/// The name of an entry, in up to three parts, which are put together only where they are wanted.
+/// The name of an entry, in up to three parts, which are put together only where they are wanted. The parts must
+/// outlive it.
 class EntryName {
 public:
     template <class... Parts>
@@ -70,7 +72,8 @@ public:
         if (wants(entry.name)) entries_.push_back(entry);
     }
 
-    const std::vector<MemoryEntry>& all() const { return entries_; }
+    const std::vector<MemoryEntry>& all() const& { return entries_; }
+    std::vector<MemoryEntry> all() && { return std::move(entries_); }
 
 private:
     std::optional<std::string_view> wanted_;
@@ -82,7 +85,7 @@ template <class Part>
 std::vector<MemoryEntry> explained(const Part& part, std::span<const std::byte> memory) {
     MemoryEntries entries;
     part.explain(memory, entries);
-    return entries.all();
+    return std::move(entries).all();
 }
 
 /// A memory as a type: trivially copyable, without padding worth hashing.

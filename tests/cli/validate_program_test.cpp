@@ -58,7 +58,7 @@ protected:
 TEST_F(ValidateProgram, SaysWhatOfTheGainSurvives) {
     const ProgramResult result = validate("out");
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr("over gain in "));
+    EXPECT_THAT(result.out, HasSubstr("gain ratio, reality over simulation: "));
     EXPECT_THAT(result.out, HasSubstr("; 20 trials"));
     EXPECT_THAT(result.out, HasSubstr(path("out") + "/report.html; mrose-gui " + path("out") + "/disagreements.csv"));
     for (const char* name : {"results.csv", "report.html", "validation.csv", "disagreements.csv"})

@@ -131,11 +131,27 @@ turned = 'robot[1].command_w'
         const VariantSummary& variant = summary->variants[i];
         EXPECT_EQ(variant.name, (std::array{"", "pace 50 %", "pace 100.5 %", "pace 150 %"})[i]);
         ASSERT_TRUE(variant.sweep);
-        EXPECT_EQ(variant.sweep->axis, "pace (%)");
+        EXPECT_EQ(variant.sweep->name, "pace");
+        EXPECT_EQ(variant.sweep->unit, "%");
         EXPECT_EQ(variant.sweep->at, (std::array{0.0, 50.0, 100.5, 150.0})[i]);
         EXPECT_NEAR(variant.measures[0].mean, 0.004 * variant.sweep->at, 1e-12);
         EXPECT_NEAR(variant.measures[1].mean, std::numbers::pi / 20, 1e-12);
     }
+}
+
+TEST_F(ExperimentTest, WhatIsSweptMayBeAWholeNumberAndIsNamedAsPeopleWriteIt) {
+    const Experiment lane = experiment(std::string(drawn) + R"([[sweep]]
+name = "ticks"
+values = [-0.0, 100000, 0.001]
+scaled = { "robot[1].controller.commands[1].t_s" = 0.00001 }
+[[sweep]]
+name = "bytes"
+values = [64, 128]
+scaled = { "radio.message_bytes" = 1 }
+)");
+    std::vector<std::string> names;
+    for (const Variant& variant : lane.variants) names.push_back(variant.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"ticks 0", "ticks 100000", "ticks 0.001", "bytes 64", "bytes 128"}));
 }
 
 TEST_F(ExperimentTest, SweepsThatAreWrongNameThePlace) {
@@ -143,14 +159,22 @@ TEST_F(ExperimentTest, SweepsThatAreWrongNameThePlace) {
         return refusal("trials = 1\n[[sweep]]\nname = \"pace\"\n" + rest);
     };
     const std::string scaled = "scaled = { \"robot[1].controller.commands[1].v_mps\" = 0.01 }\n";
-    EXPECT_THAT(sweep(scaled), HasSubstr("sweep[\"pace\"].values: "));
-    EXPECT_THAT(sweep("values = [1]\n" + scaled), HasSubstr("sweep[\"pace\"].values: "));
-    EXPECT_THAT(sweep("values = [1, \"two\"]\n" + scaled), HasSubstr("values"));
+    EXPECT_THAT(sweep(scaled), HasSubstr("sweep[\"pace\"].values: is missing"));
+    EXPECT_THAT(sweep("values = [1]\n" + scaled), HasSubstr("x.toml:8:10: sweep[\"pace\"].values: expected"));
+    EXPECT_THAT(sweep("values = [1, \"two\"]\n" + scaled),
+                HasSubstr("x.toml:8:14: sweep[\"pace\"].values: expected a finite number"));
     EXPECT_THAT(sweep("values = [1, 2, 1]\n" + scaled), HasSubstr("\"pace 1\" is the name of another variant, too"));
-    EXPECT_THAT(sweep("values = [1, 2]\n"), HasSubstr("sweep[\"pace\"].scaled: "));
+    EXPECT_THAT(sweep("values = [1, 2]\n"), HasSubstr("sweep[\"pace\"].scaled: is missing"));
+    EXPECT_THAT(sweep("unit = \"a\\nb\"\nvalues = [1, 2]\n" + scaled), HasSubstr("x.toml:8:8: sweep[\"pace\"].unit: "));
+    EXPECT_THAT(sweep("unit = \"quintillions of them\"\nvalues = [1, 2]\n" + scaled), HasSubstr("unit: is too long"));
+    EXPECT_THAT(sweep("values = [1, 2]\n" + scaled + "[[sweep]]\nname = \"pace\"\nvalues = [3, 4]\n" + scaled),
+                HasSubstr("x.toml:11:8: sweep[\"pace\"].name: is the name of another sweep, too"));
+    EXPECT_THAT(sweep("values = [1, 100000]\nscaled = { \"robot[1].type.mass_kg\" = 10 }\n"),
+                HasSubstr("x.toml:8:14: sweep[\"pace\"].values[2]: "))
+        << "which value is too large";
     EXPECT_THAT(sweep("values = [1, 2]\nscaled = {}\n"), HasSubstr("expected at least one place and its factor"));
-    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].surface\" = 1 }\n"), HasSubstr("surface"));
-    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].name\" = 1 }\n"), HasSubstr("name"));
+    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].surface\" = 1 }\n"), HasSubstr("is not a known key"));
+    EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].name\" = 1 }\n"), HasSubstr("expected a text"));
     EXPECT_THAT(sweep("values = [1, 2]\nscaled = { seed = 1 }\n"), HasSubstr("is a key of the experiment itself"));
     EXPECT_THAT(sweep("values = [1, 2]\nscaled = { \"robot[1].controller.commands[1].v_mps\" = \"x\" }\n"),
                 HasSubstr("expected a finite number"));

@@ -64,15 +64,15 @@ TEST(ExperimentReport, WhatWasSweptIsDrawnAsCurves) {
     summary.variants = {variant("as it is", 20, 0.25)};
     for (const double at : {10.0, 0.0, 5.0}) {
         summary.variants.push_back(variant("loss " + std::to_string(at), 20 + at, 0.5));
-        summary.variants.back().sweep = {"lost <messages> (%)", at};
+        summary.variants.back().sweep = {"lost <messages>", "%", at};
         summary.variants.push_back(variant("error " + std::to_string(at), 10, 0.5));
-        summary.variants.back().sweep = {"error (cm)", at};
+        summary.variants.back().sweep = {"error", "cm", at};
     }
     const std::string html = experimentReport(named(), summary, {});
     EXPECT_EQ(markupError(html), "");
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 6u)
         << "of each measure two curves, and the variant that is on none";
-    EXPECT_EQ(countOf(html, "time &lt;s&gt; over lost &lt;messages&gt; (%)"), 1u);
+    EXPECT_EQ(countOf(html, "aria-label=\"time &lt;s&gt; over lost &lt;messages&gt; (%)\""), 1u);
     EXPECT_THAT(html, Not(HasSubstr("ended"))) << "no condition ends them";
     summary.until = true;
     EXPECT_THAT(experimentReport(named(), summary, {}), HasSubstr("ended"));
@@ -82,10 +82,25 @@ TEST(SweepFigure, LeadsFromValueToValueInTheirOrder) {
     const SweptMean means[] = {{10, {4, 3, 5}}, {0, {1, 0, 2}}, {5, {}}};
     const std::string svg = sweepFigure(means, "x", "y");
     EXPECT_EQ(markupError(svg), "");
-    EXPECT_EQ(countOf(svg, "<circle"), 2u) << "what is not known is left out";
-    const SweptMean turned[] = {{0, {1, 0, 2}}, {10, {4, 3, 5}}};
+    EXPECT_EQ(countOf(svg, "class=\"mark\""), 2u);
+    EXPECT_EQ(countOf(svg, "class=\"unreported\""), 1u) << "what is not known is a hollow mark";
+    EXPECT_EQ(countOf(svg, "class=\"line s0\""), 2u) << "and no line leads across it";
+    const SweptMean turned[] = {{0, {1, 0, 2}}, {5, {}}, {10, {4, 3, 5}}};
     EXPECT_EQ(svg, sweepFigure(turned, "x", "y"));
     EXPECT_EQ(markupError(sweepFigure({}, "x", "y")), "");
+}
+
+TEST(ExperimentReport, OfAMeasureThatIsNeverKnownSaysSo) {
+    ExperimentSummary summary;
+    summary.variants = {variant("slow", 20, 0.25), variant("fast", 10, 0.5)};
+    for (VariantSummary& variant : summary.variants) {
+        variant.measures[1].count = 0;
+        variant.measures[1].estimate = {};
+    }
+    const std::string html = experimentReport(named(), summary, {});
+    EXPECT_THAT(html, HasSubstr("Not known in any run."));
+    EXPECT_THAT(html, Not(HasSubstr("time &lt;s&gt; (%)"))) << "which would be a share";
+    EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 1u);
 }
 
 TEST(MeasureLabel, UnitsAreWhatTheNameEndsIn) {

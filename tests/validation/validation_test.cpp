@@ -83,6 +83,13 @@ better = "more"
 yes_no = true
 )";
 
+/// The same experiment with variants of its own.
+std::string withSweep() {
+    return replaced(laneExperiment, "[measures]",
+                    "[[variant]]\nname = \"as it is\"\n[[sweep]]\nname = \"pace\"\nvalues = [1, 2, 3]\n"
+                    "scaled = { \"robot[1].controller.commands[1].v_mps\" = 0.1 }\n[measures]");
+}
+
 /// A validation of files in memory.
 class ValidationTest : public testing::Test {
 protected:
@@ -125,6 +132,15 @@ protected:
 };
 
 /// From the start on it is 4 s of driving; a branch after 1 s would leave 3 s of it.
+TEST_F(ValidationTest, SweepsOfTheExperimentAreNotRun) {
+    texts_["x.toml"] = withSweep();
+    const auto validation = read(replaced(laneValidation, "trials = 20", "trials = 20\nvariant = \"as it is\""));
+    ASSERT_TRUE(validation) << validation.error().message();
+    EXPECT_EQ(validation->experiment.variants.size(), 4u);
+    const ValidationResult result = validated(*validation);
+    for (const CellRuns& cell : result.cells) EXPECT_EQ(cell.runs, 20) << cell.name;
+}
+
 TEST_F(ValidationTest, ExperimentThatBranchesMayBeRunFromTheStart) {
     texts_["x.toml"] =
         replaced(laneExperiment, "trials = 3\n", "trials = 3\nbranch = 'time > 0.995'\nduration_s = 3.0\n");
