@@ -58,6 +58,11 @@ Estimate estimateOf(const MeasureSummary& summary, const std::vector<TrialSum>& 
     return {summary.mean, summary.mean + around.low, summary.mean + around.high};
 }
 
+bool hasSweeps(const Experiment& experiment) {
+    return std::ranges::any_of(experiment.variants, [](const Variant& one) { return one.sweep.has_value(); });
+}
+std::string sweptText(const Variant& variant) { return variant.sweep ? plainNumberText(variant.sweep->at) : ""; }
+
 }  // namespace
 
 std::string experimentHeader(const Experiment& experiment) {
@@ -65,7 +70,7 @@ std::string experimentHeader(const Experiment& experiment) {
     for (const Draw& draw : experiment.draws) line += ",draw." + draw.name;
     for (const Feature& feature : experiment.features) line += ",feature." + feature.name;
     for (const Measure& measure : experiment.measures) line += ",measure." + measure.name;
-    return line + ",world_hash,command,window,fault";
+    return line + ",world_hash,command,window,fault" + (hasSweeps(experiment) ? ",swept" : "");
 }
 
 std::string experimentRow(const Experiment& experiment, const RunKey& key, const DrawnValues& drawn,
@@ -79,7 +84,8 @@ std::string experimentRow(const Experiment& experiment, const RunKey& key, const
     for (const double feature : measurement.features()) line += ',' + measuredText(feature);
     for (const double measure : measurement.measures()) line += ',' + measuredText(measure);
     return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + csvCell(commands.alone) + ',' +
-           csvCell(commands.window + " --at " + time) + ',' + csvCell(result.statistics.firstFault);
+           csvCell(commands.window + " --at " + time) + ',' + csvCell(result.statistics.firstFault) +
+           (hasSweeps(experiment) ? ',' + sweptText(experiment.variants[key.variant - 1]) : "");
 }
 
 RowOutcome rowOutcome(const Experiment& experiment, const std::string& row) {

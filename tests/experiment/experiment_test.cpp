@@ -137,6 +137,11 @@ turned = 'robot[1].command_w'
         EXPECT_NEAR(variant.measures[0].mean, 0.004 * variant.sweep->at, 1e-12);
         EXPECT_NEAR(variant.measures[1].mean, std::numbers::pi / 20, 1e-12);
     }
+    std::map<std::string, std::set<std::string>> swept;
+    for (const auto& row : rows()) swept[row.at("variant_name")].insert(row.at("swept"));
+    EXPECT_EQ(swept,
+              (std::map<std::string, std::set<std::string>>{
+                  {"as it is", {""}}, {"pace 50 %", {"50"}}, {"pace 100.5 %", {"100.5"}}, {"pace 150 %", {"150"}}}));
 }
 
 TEST_F(ExperimentTest, WhatIsSweptMayBeAWholeNumberAndIsNamedAsPeopleWriteIt) {
