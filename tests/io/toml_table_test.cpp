@@ -88,6 +88,12 @@ TEST(TomlTable, ElementsOfTheWrongKindAreFoundWhereTheyStand) {
     EXPECT_EQ(errorOf("k = nan", [](TomlTable& t) { t.number("k"); }), "f:1:5: k: expected a finite number");
     EXPECT_EQ(errorOf("k = 2.5", [](TomlTable& t) { t.integer("k", 0, 9); }),
               "f:1:5: k: expected a whole number from 0 to 9");
+    TomlTable computed("k = 3.0", "f");
+    EXPECT_EQ(computed.integer("k", 0, 9), 3) << "a whole number all the same";
+    EXPECT_FALSE(computed.failed());
+    for (const char* const no : {"k = 1e300", "k = inf", "k = nan", "k = 12.0"})
+        EXPECT_EQ(errorOf(no, [](TomlTable& t) { t.integer("k", 0, 9); }),
+                  "f:1:5: k: expected a whole number from 0 to 9");
     EXPECT_EQ(errorOf("k = 12", [](TomlTable& t) { t.integer("k", 0, 9); }),
               "f:1:5: k: expected a whole number from 0 to 9");
     EXPECT_EQ(errorOf("k = -1", [](TomlTable& t) { t.number("k", {0, 2}); }), "f:1:5: k: is -1.0; expected 0.0 to 2.0");
