@@ -27,6 +27,12 @@ std::string numberOf(double value, int decimals, const std::string& minus) {
     return text.starts_with('-') ? minus + text.substr(1) : text;
 }
 
+/// As people read it.
+bool isNone(const ValidatedMeasure& measure, const Estimate& gain) {
+    const std::string text = fixed(shown(measure, gain.value), decimalsOf(measure, gain));
+    return text.find_first_not_of("0.") == std::string::npos;
+}
+
 /// Of a difference.
 std::string withUnit(const ValidatedMeasure& measure, const std::string& number) {
     const std::string unit = measure.yesNo ? "points" : measure.unit;
@@ -61,15 +67,14 @@ std::string intervalText(const ValidatedMeasure& measure, const Estimate& estima
 
 std::string gainText(const ValidatedMeasure& measure, const Estimate& gain) {
     if (!std::isfinite(gain.value)) return "not known";
+    if (isNone(measure, gain)) return "as good";
     const std::string number = fixed(std::abs(shown(measure, gain.value)), decimalsOf(measure, gain));
-    if (number.find_first_not_of("0.") == std::string::npos) return "as good";
     return (gain.value < 0 ? "worse by " : "better by ") + withUnit(measure, number);
 }
 
 std::string gainWithIntervalText(const ValidatedMeasure& measure, const Estimate& gain, const std::string& minus) {
-    const bool worse = gainText(measure, gain).starts_with("worse");
-    const Estimate by = worse ? negated(gain) : gain;
-    return gainText(measure, gain) + " (" + intervalText(measure, by, minus) + ')';
+    const bool worse = gain.value < 0 && !isNone(measure, gain);
+    return gainText(measure, gain) + " (" + intervalText(measure, worse ? negated(gain) : gain, minus) + ')';
 }
 
 std::string survivesText(const MeasureValidation& of, const std::string& minus) {
