@@ -220,6 +220,7 @@ Command ChaseBall::standBy(const Point& place, const Point& watched, Memory& mem
 }
 
 void ChaseBall::annotate(const Memory& memory, Decision& decision) const {
+    if (!decision.wantsAnnotations) return;
     decision.annotations.push_back({.kind = Annotation::Kind::text, .label = "state", .text = name(memory.phase)});
     if (memory.ball.known == 0) return;
     const Point ball = memory.ball.position;

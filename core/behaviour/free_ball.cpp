@@ -89,6 +89,7 @@ Command FreeBall::sweeping(const Memory& memory) const {
 }
 
 void FreeBall::annotate(const Memory& memory, Decision& decision) const {
+    if (!decision.wantsAnnotations) return;
     const bool strokes = memory.phase == stroking;
     decision.annotations.push_back(
         {.kind = Annotation::Kind::text,

@@ -111,6 +111,7 @@ Command GoToPose::drive(const Observation& observation, Memory& memory) const {
 }
 
 void GoToPose::annotate(const Memory& memory, Decision& decision) const {
+    if (!decision.wantsAnnotations) return;
     const Point goal = position(target(memory));
     decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "goal", .points = {goal}});
     decision.annotations.push_back({.label = "distance (m)", .value = distance(position(memory.self.pose), goal)});

@@ -359,6 +359,7 @@ std::string_view Navigate::stateOf(const Memory& memory) const {
 }
 
 void Navigate::annotate(const Memory& memory, Decision& decision) const {
+    if (!decision.wantsAnnotations) return;
     const Point goal = position(options_.target);
     decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "goal", .points = {goal}});
     if (memory.count > 0 && memory.arrival.phase == Arrival::approaching) {
@@ -379,6 +380,7 @@ void Navigate::explain(std::span<const std::byte> bytes, MemoryEntries& entries)
     const Memory& memory = as<Memory>(bytes);
     const Nanoseconds now = memory.motion.now();
     entries.add("state", stateOf(memory));
+    if (entries.complete()) return;
     if (entries.wants("method")) entries.add("method", nameOf(methodNow(memory)));
     entries.add("plans so far", static_cast<double>(memory.planned));
     if (entries.wants("path length")) entries.add("path length", lengthOf(memory.path()), "m");

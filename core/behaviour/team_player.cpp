@@ -248,6 +248,7 @@ std::string TeamPlayer::nameOfGoer(const Memory& memory) const {
 }
 
 void TeamPlayer::annotate(const Memory& memory, Decision& decision) const {
+    if (!decision.wantsAnnotations) return;
     const auto text = [&](const char* label, std::string what) {
         decision.annotations.push_back({.kind = Annotation::Kind::text, .label = label, .text = std::move(what)});
     };

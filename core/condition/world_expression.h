@@ -3,13 +3,14 @@
 #include <string>
 #include <string_view>
 
+#include "condition/plain_expression.h"
 #include "condition/world_names.h"
 #include "io/error.h"
 #include "script/lua_sandbox.h"
 
 namespace mrose {
 
-/// A Lua expression over the world's names, in an interpreter of its own, and what it gives.
+/// A Lua expression over the world's names, in an interpreter of its own, and what it gives. Most give it without Lua.
 class WorldExpression {
 public:
     WorldExpression(std::string_view text, const std::string& source) : text_(text), source_(source) {}
@@ -26,11 +27,13 @@ public:
 private:
     Expected<void> checkPaths();
     Expected<LuaValue> valueOf(std::string_view path);
+    void readPlain(const Moment& start);
 
     std::string text_, source_;
     WorldView view_;
     LuaSandbox sandbox_;
     LuaSandbox::Expression expression_;
+    std::optional<PlainExpression> plain_;  ///< the same without Lua, where it can be
 };
 
 }  // namespace mrose

@@ -1,6 +1,7 @@
 #include "condition/world_names.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <optional>
 #include <string>
@@ -79,12 +80,10 @@ int pushItems(lua_State* lua, std::uint32_t body, const Quantity& quantity, std:
 }
 
 /// The place of a body's part of the name at index 2; noBody: it has none.
-std::uint32_t partNamed(lua_State* lua, std::uint32_t body) {
+std::uint32_t partAt(lua_State* lua, std::uint32_t body) {
     if (lua_type(lua, 2) != LUA_TSTRING) return noBody;
-    const std::string_view name = lua_tostring(lua, 2);
-    const std::vector<std::string> parts = partNames(*viewOf(lua).at.scenario, body);
-    const auto found = std::find(parts.begin(), parts.end(), name);
-    return found == parts.end() ? noBody : static_cast<std::uint32_t>(found - parts.begin());
+    const auto part = partNamed(*viewOf(lua).at.scenario, body, lua_tostring(lua, 2));
+    return part ? static_cast<std::uint32_t>(*part) : noBody;
 }
 
 /// What is said of a name that a body does not have.
@@ -107,7 +106,7 @@ int readQuantity(lua_State* lua) {
         if (quantity.of == Quantity::Of::items) return pushItems(lua, handle.body, quantity, noBody);
         return pushValue(lua, quantity, {viewOf(lua).at, handle.body});
     }
-    const std::uint32_t part = handle.kind == Handle::Kind::wall ? noBody : partNamed(lua, handle.body);
+    const std::uint32_t part = handle.kind == Handle::Kind::wall ? noBody : partAt(lua, handle.body);
     if (part != noBody) return pushItems(lua, handle.body, partQuantity(), part);
     const char* const written = luaL_tolstring(lua, 2, nullptr);
     return luaL_error(lua, "there is no '%s': %s", written, whatThereIs(lua, handle, written));
@@ -149,9 +148,11 @@ int readItem(lua_State* lua) {
     std::size_t size = 0;
     const char* const name = luaL_checklstring(lua, 2, &size);
     const Subject subject{viewOf(lua).at, handle.body, handle.part, {name, size}};
-    if (lacksItem(viewOf(lua), *handle.quantity, subject))
+    pushValue(lua, *handle.quantity, subject);
+    const bool known = lua_type(lua, -1) != LUA_TNUMBER || !std::isnan(lua_tonumber(lua, -1));
+    if (!known && lacksItem(viewOf(lua), *handle.quantity, subject))
         return luaL_error(lua, "there is no '%s' in '%s': %s", name, nameOf(lua, handle), viewOf(lua).text.c_str());
-    return pushValue(lua, *handle.quantity, subject);
+    return 1;
 }
 
 /// ", called a, b ..."; nothing where there are none.
@@ -245,11 +246,6 @@ int readMeasured(lua_State* lua) {
     return pushTrialValue(lua, *measured, "measure above");
 }
 
-int wrap(lua_State* lua) {
-    lua_pushnumber(lua, wrapAngle(luaL_checknumber(lua, 1)));
-    return 1;
-}
-
 int noBall(lua_State* lua) { return luaL_error(lua, "there is no ball: no object rolls"); }
 
 void pushHandle(lua_State* lua, Handle::Kind kind, std::uint32_t body) {
@@ -281,8 +277,6 @@ public:
         sandbox_.addName("wall");
         addTrialValues("draw", readDrawn);
         addTrialValues("measure", readMeasured);
-        lua_pushcfunction(lua_, wrap);
-        sandbox_.addName("wrap");
         for (const Quantity& quantity : quantities())
             if (quantity.isPair() || quantity.of == Quantity::Of::run) {
                 lua_pushlightuserdata(lua_, const_cast<Quantity*>(&quantity));
@@ -423,6 +417,14 @@ private:
 };
 
 }  // namespace
+
+std::optional<std::uint32_t> bodyOf(const LuaValue& value) {
+    const auto* const other = std::get_if<LuaOther>(&value);
+    const auto* const handle = other != nullptr ? static_cast<const Handle*>(other->data) : nullptr;
+    if (handle == nullptr || handle->kind == Handle::Kind::collection || handle->kind == Handle::Kind::items)
+        return std::nullopt;
+    return handle->body;
+}
 
 void addWorldNames(LuaSandbox& sandbox, const Scenario& scenario, const WorldView& view) {
     *static_cast<const WorldView**>(lua_getextraspace(sandbox.state())) = &view;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "quantities/moment.h"
@@ -17,5 +19,9 @@ struct WorldView {
 /// read from `view`, which must stay where it is, as long as the sandbox lives. Added again for another scenario, they
 /// take the place of the earlier ones.
 void addWorldNames(LuaSandbox& sandbox, const Scenario& scenario, const WorldView& view);
+
+/// The number of the body that a value stands for, which these names gave and still hold; noBody: `wall`. Nothing: it
+/// stands for no body.
+std::optional<std::uint32_t> bodyOf(const LuaValue& value);
 
 }  // namespace mrose

@@ -66,8 +66,9 @@ struct Decision {
     std::vector<RadioMessage>
         messages;  ///< received at the others' next control instants, or as the scenario's radio says
     std::vector<Annotation> annotations;
-    std::string breakReason;  ///< not empty: the debugger stops after this tick
-    std::string fault;        ///< not empty: the controller failed, and the robot is commanded to stand
+    bool wantsAnnotations = true;  ///< where it is false nobody sees any, so that none need be made
+    std::string breakReason;       ///< not empty: the debugger stops after this tick
+    std::string fault;             ///< not empty: the controller failed, and the robot is commanded to stand
 
     /// Asks the debugger to stop here.
     void breakHere(std::string reason = "breakHere()") { breakReason = std::move(reason); }

@@ -7,6 +7,7 @@
 
 #include "condition/condition.h"
 #include "io/error.h"
+#include "io/progress.h"
 #include "simulation/rewind_check.h"
 #include "simulation/run_statistics.h"
 
@@ -29,7 +30,8 @@ struct RunOptions {
     bool checkRewind = false;      ///< takes every tick twice; the run ends where that makes a difference
     bool traceUnread = false;      ///< StepTrace::asksUnread; for a condition that reads sensors so it is without
     bool countsUnfamiliar = true;  ///< RunStatistics::unfamiliar, which costs some 7 % of a run
-    /// Called after every tick with its trace; false stops the run. May be empty.
+    GoesOn goesOn = {};            ///< asked after every tick; false stops the run. May be empty
+    /// The same, told the tick's trace.
     std::function<bool(const WorldState&, const StepTrace&)> each = {};
 };
 

@@ -106,6 +106,17 @@ Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) co
     return all;
 }
 
+TrialMeasurement::TrialMeasurement(const Experiment& experiment, CompiledExpressions& expressions, Nanoseconds between)
+    : experiment_(experiment), expressions_(expressions), between_(between), seen_(experiment.measures.size()) {
+    const std::vector<Measure>& measures = experiment.measures;
+    for (const Measure& measure : measures) {
+        const auto isSame = [&](const Measure& one) { return one.expression.text == measure.expression.text; };
+        firstOfText_.push_back(static_cast<std::size_t>(std::ranges::find_if(measures, isSame) - measures.begin()));
+        if (measure.of >= Measure::Of::seconds && measure.expression.text == experiment.until.text)
+            untilsText_ = firstOfText_.back();
+    }
+}
+
 Expected<void> TrialMeasurement::begin(const Moment& start) {
     features_.clear();
     looks_ = 0;
@@ -129,13 +140,16 @@ void TrialMeasurement::skip() {
 }
 
 Expected<double> TrialMeasurement::valueOf(std::size_t measure, const Moment& at) {
+    std::optional<double>& seen = seen_[firstOfText_[measure]];
+    if (seen) return *seen;
     auto value = expressions_.measures[measure].value(at);
-    if (value) return *value;
+    if (value) return *(seen = *value);
     return tl::unexpected(experiment_.measures[measure].expression.placed(value.error(), experiment_.file));
 }
 
 Expected<bool> TrialMeasurement::look(const Moment& at) {
     ++looks_;
+    seen_.assign(seen_.size(), std::nullopt);
     for (std::size_t i = 0; i < measures_.size(); ++i) {
         const Measure::Of of = experiment_.measures[i].of;
         double& measured = measures_[i];
@@ -152,7 +166,12 @@ Expected<bool> TrialMeasurement::look(const Moment& at) {
         if (of == Measure::Of::longest) measured = std::max(measured, static_cast<double>(held_[i]));  // looks
         if (of == Measure::Of::first && holds) measured = toSeconds(at.now());
     }
+    return isOver(at);
+}
+
+Expected<bool> TrialMeasurement::isOver(const Moment& at) {
     if (!expressions_.until) return false;
+    if (untilsText_ && seen_[*untilsText_]) return *seen_[*untilsText_] != 0;
     auto over = expressions_.until->holds(at);
     if (!over) return tl::unexpected(experiment_.until.placed(over.error(), experiment_.file));
     return *over;
@@ -161,6 +180,7 @@ Expected<bool> TrialMeasurement::look(const Moment& at) {
 double TrialMeasurement::inSeconds(double looks) const { return toSeconds(static_cast<Nanoseconds>(looks) * between_); }
 
 Expected<void> TrialMeasurement::end(const Moment& at) {
+    seen_.assign(seen_.size(), std::nullopt);
     DrawnValues above;
     Moment withMeasures = at;
     withMeasures.measured = &above;

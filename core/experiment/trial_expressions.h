@@ -37,8 +37,7 @@ private:
 class TrialMeasurement {
 public:
     /// `between`: from look to look.
-    TrialMeasurement(const Experiment& experiment, CompiledExpressions& expressions, Nanoseconds between)
-        : experiment_(experiment), expressions_(expressions), between_(between) {}
+    TrialMeasurement(const Experiment& experiment, CompiledExpressions& expressions, Nanoseconds between);
 
     /// Asks the features, at the run's start.
     Expected<void> begin(const Moment& start);
@@ -54,13 +53,17 @@ public:
 
 private:
     Expected<double> valueOf(std::size_t measure, const Moment& at);
+    Expected<bool> isOver(const Moment& at);
     double inSeconds(double looks) const;
 
     const Experiment& experiment_;
     CompiledExpressions& expressions_;
     Nanoseconds between_;
     std::vector<double> features_, measures_;
-    std::vector<std::int64_t> held_;  ///< by measure, for how many looks up to the last
+    std::vector<std::size_t> firstOfText_;     ///< by measure, the first with the same text
+    std::optional<std::size_t> untilsText_;    ///< the same of a truth with the text of `until`
+    std::vector<std::optional<double>> seen_;  ///< by measure, what this look gave
+    std::vector<std::int64_t> held_;           ///< by measure, for how many looks up to the last
     std::int64_t looks_ = 0;
 };
 

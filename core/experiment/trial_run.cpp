@@ -41,7 +41,7 @@ Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledE
     options.finally = [&](const Moment& at) {
         if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
     };
-    options.each = [&](const WorldState&, const StepTrace&) { return !goesOn || goesOn(); };
+    options.goesOn = goesOn;
     auto result = run(scenario, start, options);
     if (!result) return tl::unexpected(result.error());
     if (wrong) return tl::unexpected(*wrong);

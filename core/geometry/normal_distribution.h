@@ -43,6 +43,16 @@ inline double logNormalProbability(double x) {
     return -0.5 * x * x - 0.5 * logarithm(2 * std::numbers::pi) - logarithm(normalHazard(-x));
 }
 
+/// The same with its slope, sooner; absolute error below 1e-14.
+struct LogProbability {
+    double value, slope;
+};
+inline LogProbability logProbabilityAndSlope(double x) {
+    const double slope = normalHazard(-x);
+    if (x > 8) return {-slope / x, slope};
+    return {-0.5 * x * x - 0.5 * logarithm(2 * std::numbers::pi) - logarithm(slope), slope};
+}
+
 /// The x of which a share `p` is less; infinite for 0 and 1.
 inline double normalQuantile(double p) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN(), end = std::numeric_limits<double>::infinity();

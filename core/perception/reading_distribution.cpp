@@ -10,9 +10,22 @@ namespace mrose {
 namespace {
 
 constexpr double leastSpread = -11.5, mostSpread = 6.9;  // logarithms
+constexpr double logTwoPi = 1.8378770664093453;
+
+/// exponential() of |x| <= 700, without a branch, so that compilers compute several at once.
+inline double exponentialNear(double x) {
+    const elementary::Exponent e(x);
+    const auto whole = std::bit_cast<std::uint64_t>(e.whole + 0x1.8p52);
+    return (1 + e.beyond) * std::bit_cast<double>((whole + 1023) << 52);
+}
+
+/// What shares were divided by: sum exp(most).
+struct Divisor {
+    double most = 0, sum = 0;
+};
 
 /// Shares of the components from their logarithms, the largest of which may be any.
-void shares(const ReadingForm& form, const double* values, double* share) {
+Divisor shares(const ReadingForm& form, const double* values, double* share) {
     double most = 0, sum = 0;
     for (int k = 1; k < form.components; ++k) most = std::max(most, values[form.shareOf(k)]);
     for (int k = 0; k < form.components; ++k) {
@@ -20,6 +33,7 @@ void shares(const ReadingForm& form, const double* values, double* share) {
         sum += share[k];
     }
     for (int k = 0; k < form.components; ++k) share[k] /= sum;
+    return {most, sum};
 }
 
 double spreadFrom(double logarithm) { return exponential(std::clamp(logarithm, leastSpread, mostSpread)); }
@@ -140,46 +154,55 @@ ReadingError grossError(const ReadingForm& form, const GrossErrors& gross, const
 }
 
 double reportLoss(double threshold, bool reported, double* gradient) {
-    // of the probability of less than x: the density over it
-    const double x = reported ? threshold : -threshold;
-    const double slope = normalHazard(-x);
-    *gradient = reported ? -slope : slope;
-    return -logNormalProbability(x);
+    const LogProbability of = logProbabilityAndSlope(reported ? threshold : -threshold);
+    *gradient = reported ? -of.slope : of.slope;
+    return -of.value;
 }
 
 double errorLoss(const ReadingForm& form, const double* values, const GrossErrors& gross, const ReadingError& error,
                  double* gradient) {
-    double share[ReadingForm::maxComponents], part[ReadingForm::maxComponents];
-    shares(form, values, share);
+    constexpr int mostComponents = ReadingForm::maxComponents;
+    constexpr int mostCells = mostComponents * ReadingForm::maxDimensions;
+    const int dimensions = form.dimensions, components = form.components, cells = components * dimensions;
+    // by component and dimension
+    double spread[mostCells], inverse[mostCells], z[mostCells];
+    for (int k = 0, c = 0; k < components; ++k)
+        for (int d = 0; d < dimensions; ++d, ++c) {
+            spread[c] = std::clamp(values[form.spreadOf(k, d)], leastSpread, mostSpread);
+            z[c] = error[static_cast<std::size_t>(d)] - values[form.errorOf(k, d)];
+        }
+    for (int c = 0; c < cells; ++c) {
+        inverse[c] = exponentialNear(-spread[c]);
+        z[c] *= inverse[c];
+    }
+    double share[mostComponents], part[mostComponents];  // of the density: logarithms, then shares
+    const Divisor of = shares(form, values, share);
+    const double common = logarithm((1 - gross.share) / of.sum) - of.most - 0.5 * dimensions * logTwoPi;
     bool within = gross.share > 0;
-    for (int d = 0; d < form.dimensions; ++d)
+    for (int d = 0; d < dimensions; ++d)
         within = within && std::abs(error[static_cast<std::size_t>(d)]) <= gross.reach[static_cast<std::size_t>(d)];
-    double most = within ? logarithm(gross.share * gross.density(form.dimensions)) : -1e300;
-    const double grossPart = most;
-    for (int k = 0; k < form.components; ++k) {
-        part[k] = logarithm((1 - gross.share) * share[k]) - 0.5 * form.dimensions * logarithm(2 * std::numbers::pi);
-        for (int d = 0; d < form.dimensions; ++d) {
-            const double spread = std::clamp(values[form.spreadOf(k, d)], leastSpread, mostSpread);
-            const double z = (error[static_cast<std::size_t>(d)] - values[form.errorOf(k, d)]) * exponential(-spread);
-            part[k] -= spread + 0.5 * z * z;
-        }
-        most = std::max(most, part[k]);
+    const double grossPart = within ? logarithm(gross.share * gross.density(dimensions)) : -1e300;
+    double largest = grossPart;
+    for (int k = 0; k < components; ++k) {
+        part[k] = common + (k == 0 ? 0 : values[form.shareOf(k)]);
+        for (int c = k * dimensions; c < (k + 1) * dimensions; ++c) part[k] -= spread[c] + 0.5 * z[c] * z[c];
+        largest = std::max(largest, part[k]);
     }
-    double sum = within ? exponential(grossPart - most) : 0, proper = 0;
-    for (int k = 0; k < form.components; ++k) sum += part[k] = exponential(part[k] - most);
-    for (int k = 0; k < form.components; ++k) proper += part[k] /= sum;
-    for (int k = 0; k < form.components; ++k) {
+    double sum = 0, proper = 0;
+    for (int k = 0; k < components; ++k) part[k] = exponentialNear(std::max(part[k] - largest, -700.0));
+    for (int k = 0; k < components; ++k) sum += part[k];
+    if (within) sum += exponential(grossPart - largest);
+    for (int k = 0; k < components; ++k) proper += part[k] /= sum;
+    for (int k = 0, c = 0; k < components; ++k) {
         if (k > 0) gradient[form.shareOf(k)] = share[k] * proper - part[k];
-        for (int d = 0; d < form.dimensions; ++d) {
-            const double spread = values[form.spreadOf(k, d)];
-            const bool inside = spread > leastSpread && spread < mostSpread;
-            const double inverse = exponential(-std::clamp(spread, leastSpread, mostSpread));
-            const double z = (error[static_cast<std::size_t>(d)] - values[form.errorOf(k, d)]) * inverse;
-            gradient[form.errorOf(k, d)] = -part[k] * z * inverse;
-            gradient[form.spreadOf(k, d)] = inside ? -part[k] * (z * z - 1) : 0;
+        for (int d = 0; d < dimensions; ++d, ++c) {
+            const double asked = values[form.spreadOf(k, d)];
+            const bool inside = asked > leastSpread && asked < mostSpread;
+            gradient[form.errorOf(k, d)] = -part[k] * z[c] * inverse[c];
+            gradient[form.spreadOf(k, d)] = inside ? -part[k] * (z[c] * z[c] - 1) : 0;
         }
     }
-    return -(most + logarithm(sum));
+    return -(largest + logarithm(sum));
 }
 
 }  // namespace mrose

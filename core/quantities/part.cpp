@@ -1,5 +1,7 @@
 #include "quantities/part.h"
 
+#include <algorithm>
+
 namespace mrose {
 namespace {
 
@@ -45,6 +47,12 @@ std::vector<std::string> partNames(const Scenario& scenario, std::size_t body) {
     std::vector<std::string> names{"controller", "motion"};
     for (const SensorPointer& sensor : scenario.sensors(body)) names.push_back(sensor->name());
     return names;
+}
+
+std::optional<std::size_t> partNamed(const Scenario& scenario, std::size_t body, std::string_view name) {
+    const std::vector<std::string> names = partNames(scenario, body);
+    const auto found = std::ranges::find(names, name);
+    return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
 void addPartEntries(const Moment& moment, std::size_t body, std::size_t part, MemoryEntries& entries) {

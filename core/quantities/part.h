@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "control/controller.h"
@@ -14,6 +16,9 @@ namespace mrose {
 /// "state". This is the one place that knows which parts there are: what comes to have a memory of its own is added
 /// here, and needs no line in the catalogue.
 std::vector<std::string> partNames(const Scenario& scenario, std::size_t body);
+
+/// The place of the one of that name; nothing: there is none.
+std::optional<std::size_t> partNamed(const Scenario& scenario, std::size_t body, std::string_view name);
 
 /// The place of a robot's first sensor among its parts; those before explain what the state holds alone.
 constexpr std::size_t firstSensorPart = 2;

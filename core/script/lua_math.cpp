@@ -1,31 +1,35 @@
+#include "script/lua_math.h"
+
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
 #include <lua.hpp>
 
 #include "geometry/elementary.h"
+#include "geometry/pose.h"
 #include "script/lua_sandbox.h"
 
 namespace mrose {
 namespace {
 
 template <double (*function)(double)>
-int apply(lua_State* lua) {
+int applyToOne(lua_State* lua) {
     lua_pushnumber(lua, function(luaL_checknumber(lua, 1)));
     return 1;
 }
 
-/// The best of the arguments.
-template <class Better>
-int choose(lua_State* lua) {
-    double best = luaL_checknumber(lua, 1);
-    for (int i = 2; i <= lua_gettop(lua); ++i) {
-        const double value = luaL_checknumber(lua, i);
-        if (Better{}(value, best)) best = value;
-    }
-    lua_pushnumber(lua, best);
+template <double (*function)(double, double)>
+int applyToTwo(lua_State* lua) {
+    lua_pushnumber(lua, function(luaL_checknumber(lua, 1), luaL_checknumber(lua, 2)));
+    return 1;
+}
+
+template <double (*function)(double, double)>
+int applyToAll(lua_State* lua) {
+    double result = luaL_checknumber(lua, 1);
+    for (int i = 2; i <= lua_gettop(lua); ++i) result = function(result, luaL_checknumber(lua, i));
+    lua_pushnumber(lua, result);
     return 1;
 }
 
@@ -34,40 +38,51 @@ int applyArcTangent(lua_State* lua) {
     return 1;
 }
 
-int applyPower(lua_State* lua) {
-    lua_pushnumber(lua, power(luaL_checknumber(lua, 1), luaL_checknumber(lua, 2)));
-    return 1;
-}
-
+double slopeAngle(double slope) { return arcTangent(slope, 1); }
 double toDegrees(double radians) { return radians * (180 / std::numbers::pi); }
 double toRadians(double degrees) { return degrees * (std::numbers::pi / 180); }
+double itself(double x) { return x; }
+double lesser(double a, double b) { return b < a ? b : a; }
+double greater(double a, double b) { return b > a ? b : a; }
 
-constexpr luaL_Reg functions[] = {
-    {"abs", apply<std::abs>},
-    {"ceil", apply<std::ceil>},
-    {"floor", apply<std::floor>},
-    {"sqrt", apply<std::sqrt>},
-    {"exp", apply<exponential>},
-    {"log", apply<logarithm>},
-    {"sin", apply<sine>},
-    {"cos", apply<cosine>},
-    {"tan", apply<tangent>},
-    {"asin", apply<arcSine>},
-    {"acos", apply<arcCosine>},
-    {"atan", applyArcTangent},
-    {"pow", applyPower},
-    {"deg", apply<toDegrees>},
-    {"rad", apply<toRadians>},
-    {"min", choose<std::less<double>>},
-    {"max", choose<std::greater<double>>},
+template <double (*function)(double)>
+constexpr MathFunction ofOne(const char* name) {
+    return {name, applyToOne<function>, function};
+}
+template <double (*function)(double, double)>
+constexpr MathFunction ofAll(const char* name) {
+    return {name, applyToAll<function>, itself, function, true};
+}
+
+constexpr MathFunction functions[] = {
+    ofOne<std::abs>("abs"),
+    ofOne<std::ceil>("ceil"),
+    ofOne<std::floor>("floor"),
+    ofOne<std::sqrt>("sqrt"),
+    ofOne<exponential>("exp"),
+    ofOne<logarithm>("log"),
+    ofOne<sine>("sin"),
+    ofOne<cosine>("cos"),
+    ofOne<tangent>("tan"),
+    ofOne<arcSine>("asin"),
+    ofOne<arcCosine>("acos"),
+    {"atan", applyArcTangent, slopeAngle, arcTangent},
+    {"pow", applyToTwo<power>, nullptr, power},
+    ofOne<toDegrees>("deg"),
+    ofOne<toRadians>("rad"),
+    ofOne<wrapAngle>("wrap"),
+    ofAll<lesser>("min"),
+    ofAll<greater>("max"),
 };
 
 }  // namespace
 
+std::span<const MathFunction> mathFunctions() { return functions; }
+
 void addMath(LuaSandbox& sandbox) {
     lua_State* const lua = sandbox.state();
-    for (const luaL_Reg& function : functions) {
-        lua_pushcfunction(lua, function.func);
+    for (const MathFunction& function : functions) {
+        lua_pushcfunction(lua, function.inLua);
         sandbox.addName(function.name);
     }
     lua_pushnumber(lua, std::numbers::pi);

@@ -183,7 +183,7 @@ LuaValue valueAt(lua_State* lua, int index) {
         default:
             break;
     }
-    LuaOther other{luaL_typename(lua, index)};
+    LuaOther other{luaL_typename(lua, index), lua_touserdata(lua, index)};
     if (luaL_getmetafield(lua, index, "__name") == LUA_TSTRING) {
         other.type = lua_tostring(lua, -1);
         lua_pop(lua, 1);

@@ -19,9 +19,10 @@ struct LuaLimits {
     int instructions = 10'000;     ///< of one evaluation
 };
 
-/// A value that is neither true or false, a number nor a text.
+/// A value that is neither true or false, a number nor a text. Both live as long as the sandbox.
 struct LuaOther {
-    const char* type;  ///< "nil", "function", "robot"; lives as long as the sandbox
+    const char* type;            ///< "nil", "function", "robot"
+    const void* data = nullptr;  ///< of userdata that names hold
 };
 using LuaValue = std::variant<bool, double, std::string, LuaOther>;
 
@@ -80,9 +81,5 @@ private:
     struct Interpreter;
     std::unique_ptr<Interpreter> interpreter_;
 };
-
-/// abs, ceil, floor, sqrt, exp, log, pow, sin, cos, tan, asin, acos, atan (of one or two arguments), deg, rad, min,
-/// max, pi, huge. Angles are radians. All give the same bits on every processor.
-void addMath(LuaSandbox& sandbox);
 
 }  // namespace mrose

@@ -130,19 +130,21 @@ void decide(const Scenario& scenario, WorldState& state, StepBuffers::Content& b
         if (asked) {
             observe(scenario, state, i, scenario.sensorMemory(state, i), buffers.sensing, buffers.observation);
             buffers.decision.clear();
+            buffers.decision.wantsAnnotations = trace != nullptr && trace->asksInsights;
             buffers.observation.leaveOut(&scenario.attention(i));
             scenario.controller(i).decide(buffers.observation, scenario.memoryOf(state, i), buffers.decision);
             buffers.observation.leaveOut(nullptr);
             checkMessages(buffers.decision, scenario.scene());
             decision = &buffers.decision;
         }
-        if (trace != nullptr) traceMessages(scenario, state, i, buffers.sensing, *trace);
+        if (trace != nullptr && trace->asksInsights) traceMessages(scenario, state, i, buffers.sensing, *trace);
         robot.lastControl = state.tick;
         if (decision != nullptr) obey(scenario, state, i, *decision, trace);
         if (trace == nullptr) continue;
         StepTrace::Robot& traced = trace->robots[i];
         traced.decided = decision != nullptr;
         traced.observed = decision == &buffers.decision;
+        if (!trace->asksInsights) continue;
         if (traced.observed) traced.observation = buffers.observation;
         if (decision != nullptr) traced.decision = *decision;
     }

@@ -56,6 +56,8 @@ struct StepTrace {
 
     /// Asks for the readings of robots' [[sensor]]s that their controllers do not read, or that were not asked.
     bool asksUnread = false;
+    /// Asks for Robot::observation, Robot::decision with what it annotates, and for messages.
+    bool asksInsights = true;
 
     std::vector<Robot> robots;
     std::vector<ContactReport> contacts;

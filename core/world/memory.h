@@ -61,6 +61,8 @@ public:
 
     /// Whether an entry is taken: to leave out what would cost something.
     bool wants(const EntryName& name) const { return !wanted_ || (entries_.empty() && name.is(*wanted_)); }
+    /// Whether nothing more is wanted.
+    bool complete() const { return wanted_ && !entries_.empty(); }
 
     void add(const EntryName& name, double value, std::string_view unit = {}) {
         if (wants(name)) entries_.push_back({name.text(), value, std::string(unit), {}});

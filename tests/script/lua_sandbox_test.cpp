@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <lua.hpp>
 
+#include "script/lua_math.h"
+
 namespace mrose {
 namespace {
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <lua.hpp>
 
+#include "script/lua_math.h"
 #include "script/lua_sandbox.h"
 
 namespace mrose {

@@ -20,6 +20,7 @@
 #include "panels/time_bar.h"
 #include "reality/error_plot.h"
 #include "reality/overlay.h"
+#include "script/lua_math.h"
 #include "scripting/export_script.h"
 #include "scripting/overlay_script.h"
 #include "scripting/script_world.h"
