@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include <boost/polygon/voronoi.hpp>
 
@@ -12,7 +13,7 @@ namespace mrose {
 namespace {
 
 constexpr double unitsInMetre = 1e4;
-constexpr double samplesApart = 0.3;   // m, at most, along an outline ...
+constexpr double samplesApart = 0.36;  // m, at most, along an outline ...
 constexpr double roomFor = 1.2;        // m, from where to any other piece every second one is enough
 constexpr double covered = 0.001;      // m: what is no farther from another piece lies on its outline
 constexpr double nodesApart = 0.5;     // m, at most, along an edge of the diagram
@@ -27,11 +28,11 @@ struct OutlineSample {
     std::size_t piece = 0;
 };
 
-/// A circle's are those of a polygon within it.
+/// A circle's are those of a polygon within it, whose sides need no samples between.
 std::vector<Point> cornersOf(const ConvexPiece& piece) {
     std::vector<Point> corners(piece.corners.begin(), piece.corners.begin() + static_cast<std::ptrdiff_t>(piece.count));
     if (!piece.isCircle()) return corners;
-    constexpr int sides = 8;
+    const int sides = std::max(6, static_cast<int>(std::ceil(2 * std::numbers::pi * piece.radius / samplesApart)));
     corners.clear();
     for (int i = 0; i < sides; ++i)
         corners.push_back(piece.centre + piece.radius * towards(2 * std::numbers::pi * (i + 0.3) / sides));
@@ -76,10 +77,16 @@ std::vector<OutlineSample> outlineSamples(std::span<const ConvexPiece> pieces) {
             if (!faces) continue;
             const int parts = static_cast<int>(std::ceil(length(line) / samplesApart));
             const auto at = [&](int part) { return a + (static_cast<double>(part) / parts) * line; };
+            std::optional<bool> roomHere;
             for (int part = 0; part < parts;) {
                 add(at(part), i);
-                const bool room = part + 2 <= parts && hasRoom(pieces, i, at(part)) && hasRoom(pieces, i, at(part + 2));
-                part += room ? 2 : 1;
+                std::optional<bool> roomThere;
+                if (part + 2 <= parts) {
+                    if (!roomHere) roomHere = hasRoom(pieces, i, at(part));
+                    if (*roomHere) roomThere = hasRoom(pieces, i, at(part + 2));
+                }
+                part += roomThere == true ? 2 : 1;
+                roomHere = roomThere == true ? roomThere : std::nullopt;
             }
         }
     }

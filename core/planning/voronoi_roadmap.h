@@ -9,7 +9,7 @@ namespace mrose {
 
 /// The places that are as far as they can be from the pieces around them: the edges of the Voronoi diagram between
 /// points of different pieces (O'Dunlaing and Yap 1985). The pieces stand in it as points along their outlines, at most
-/// 0.3 m apart, or 0.6 m where other pieces are 1.2 m away, so that a node is nearly as far from two pieces; the
+/// 0.36 m apart, or 0.72 m where other pieces are 1.2 m away, so that a node is nearly as far from two pieces; the
 /// diagram is Boost.Polygon's. Start and goal may differ from call to call: a roadmap serves many robots of one size.
 class VoronoiRoadmap {
 public:
