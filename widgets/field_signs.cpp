@@ -15,7 +15,7 @@ std::uint64_t labelKey(std::uint64_t kind, std::uint64_t first, std::uint64_t se
 }
 
 /// Of 255: how strong the notes of others than the selected robot are; where none is selected, points, and lines.
-constexpr int faintest = 70, faint = 120, lines = 190;
+constexpr int faintest = 70, faint = 120, lines = 230;
 /// Of those of whom an answer is not.
 constexpr int quiet = 30;
 
@@ -45,7 +45,9 @@ double objectAt(const FieldCanvas& canvas, const FieldFrame& frame, const Point&
 
 void drawNoteLine(const FieldCanvas& canvas, const QPolygonF& points, const QColor& colour, bool selected) {
     if (selected) return canvas.casedLine(points, roundPen(colour, 2, Qt::DotLine));
-    canvas.painter.setPen(roundPen(colour, 1.7, Qt::DotLine));
+    QPen pen = roundPen(colour, 2.2);
+    pen.setDashPattern({1.2, 2.2});
+    canvas.painter.setPen(pen);
     canvas.painter.drawPolyline(points);
 }
 

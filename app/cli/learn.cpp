@@ -96,7 +96,7 @@ Subcommand addLearn(CLI::App& app, CommonFlags& common) {
         ->check(someName());
     sub->add_option("--target", request.question.target, "The measure that is learned")->required();
     sub->add_option("--inputs", request.question.inputs,
-                    "Features, or draws as draw.NAME, with commas between them; otherwise all features")
+                    "Features, draws as draw.NAME, or swept, with commas between them; otherwise all features")
         ->delimiter(',');
     sub->add_option("--beside", request.question.beside,
                     "Features that are guesses of the target: judged beside it, and no inputs")

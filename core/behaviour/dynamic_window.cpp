@@ -234,7 +234,9 @@ Command DynamicWindow::drive(const Observation& observation, Memory& memory, Dec
         memory.nearestAt = 0;
         memory.detourEnd = 0;
     }
-    decision.annotations.push_back({.kind = Annotation::Kind::point, .label = "goal", .points = {waypoint(memory)}});
+    if (decision.wantsAnnotations)
+        decision.annotations.push_back(
+            {.kind = Annotation::Kind::point, .label = "goal", .points = {waypoint(memory)}});
     const bool bumped = noteBump(observation, memory);
     const BackOff::Options limits{options_.speed, options_.rotation, options_.deadTime, turnAside};
     const std::optional<Command> back = memory.backOff.update(observation, memory.motion, limits);
@@ -253,6 +255,7 @@ Command DynamicWindow::drive(const Observation& observation, Memory& memory, Dec
 }
 
 void DynamicWindow::markArc(const Surroundings& around, const Choice& choice, Decision& decision) const {
+    if (!decision.wantsAnnotations) return;
     const auto [v, w] = choice.command;
     const double time = v > 0 ? std::min(choice.way / v, markedFor) : 0;
     Annotation arc{.kind = Annotation::Kind::line, .label = "arc"};

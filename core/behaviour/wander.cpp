@@ -88,6 +88,7 @@ void Wander::decide(const Observation& observation, std::span<std::byte> bytes, 
         observation, memory.motion, {options_.speed, options_.rotation, options_.deadTime, strollAway});
     decision.command = back ? *back : stroll(observation, memory);
     memory.motion.issue(*decision.command);
+    if (!decision.wantsAnnotations) return;
     decision.annotations.push_back(
         {.kind = Annotation::Kind::text, .label = "state", .text = back ? "backing off" : "strolling"});
 }

@@ -53,9 +53,9 @@ PlainExpression::Number PlainExpression::of(int place, const Moment& at) const {
             return first.counts() == (node.operation == Operation::conjunction) ? of(node.right, at) : first;
         }
         case Operation::negation: {
-            const Number of = this->of(node.left, at);
-            if (of.kind == Number::Kind::none) return of;
-            return {of.counts() ? 0.0 : 1.0, Number::Kind::truth};
+            const Number operand = of(node.left, at);
+            if (operand.kind == Number::Kind::none) return operand;
+            return {operand.counts() ? 0.0 : 1.0, Number::Kind::truth};
         }
         default:
             return ofNumbers(node, at);
@@ -123,7 +123,8 @@ PlainExpression::Number PlainExpression::asked(const Node& node, const Moment& a
 /// Nothing where it is not known: Lua says whether there can be one.
 std::optional<QuantityValue> PlainExpression::itemOf(const Node& node, const Moment& at) {
     const Quantity& quantity = *node.asked;
-    const bool remembered = &quantity == &partQuantity() && node.other < firstSensorPart;
+    const bool ofPart = &quantity == &partQuantity(), remembered = ofPart && node.other < firstSensorPart;
+    if (ofPart && !isPartNamed(*at.scenario, node.body, node.other, node.part)) return std::nullopt;
     if (quantity.needs == Quantity::Needs::control && at.insights.empty() && !remembered) return std::nullopt;
     QuantityValue value = quantity.value({at, node.body, node.other, node.name});
     const double* const number = std::get_if<double>(&value);

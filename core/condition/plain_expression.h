@@ -12,8 +12,9 @@
 
 namespace mrose {
 
-/// An expression of numbers and truths alone, as nearly all conditions are: arithmetic, comparisons, functions of
-/// numbers, and what bodies, goals, the run and a trial are asked for. It gives what Lua would, to the bit, sooner.
+/// An expression of numbers and truths, as nearly all conditions are: arithmetic, comparisons, functions of numbers,
+/// and what bodies and their parts, goals, the run and a trial are asked for; a part's entry may be compared with a
+/// text. It gives what Lua would, to the bit, sooner.
 class PlainExpression {
 public:
     /// The number of the body that a text names, "robot[1]"; noBody: `wall`. Nothing: no body.
@@ -68,6 +69,7 @@ private:
         const Quantity* asked = nullptr;
         std::uint32_t body = noBody, other = noBody;
         std::string name = {};  ///< of what was drawn or measured, of an item; the text to compare with
+        std::string part = {};  ///< of which an item is
         std::size_t place = 0;  ///< where that was at the start
         double (*one)(double) = nullptr;
         double (*two)(double, double) = nullptr;

@@ -111,14 +111,14 @@ private:
         return left;
     }
     int comparedWithText(Operation operation, int left) {
-        const std::string_view text = wordAt(next_++);
-        const bool plain = text.front() != '[' && text.find('\\') == std::string_view::npos;
+        const auto text = plainText(wordAt(next_++));
         const bool equality = operation == Operation::equal || operation == Operation::different;
-        if (!plain || !equality || result_.nodes_[static_cast<std::size_t>(left)].operation != Operation::item)
+        if (failed_ || !text || !equality ||
+            result_.nodes_[static_cast<std::size_t>(left)].operation != Operation::item)
             return fail();
         return add({.operation = operation == Operation::equal ? Operation::isText : Operation::isOtherText,
                     .left = left,
-                    .name = std::string(text.substr(1, text.size() - 2))});
+                    .name = std::string(*text)});
     }
     int sum() {
         constexpr Operator operators[] = {{"+", Operation::add}, {"-", Operation::subtract}};
@@ -172,23 +172,34 @@ private:
         while (next_ < tokens_.size() && tokens_[next_].begin < found->offset + found->text.size()) ++next_;
         return &*found;
     }
-    /// The name or the number of a part of a path, without what encloses it.
-    static std::string_view nameOf(const LuaPath& path, std::size_t part) {
+    /// The name, text or number of a part of a path; nothing of a text that is not written plainly.
+    static std::optional<std::string_view> nameOf(const LuaPath& path, std::size_t part) {
         std::string_view name = path.text.substr(path.parts[part].begin, path.parts[part].end - path.parts[part].begin);
-        const std::size_t first = name.find_first_not_of("\"' \t\r\n"), last = name.find_last_not_of("\"'] \t\r\n");
-        return first > last || last == std::string_view::npos ? "" : name.substr(first, last + 1 - first);
+        if (isQuoted(name)) return plainText(name.substr(0, name.find_last_of("\"'") + 1));
+        if (name.starts_with('[')) return std::nullopt;
+        return name.substr(0, name.find_first_of("] \t\r\n"));
+    }
+    static bool isQuoted(std::string_view text) { return text.starts_with('"') || text.starts_with('\''); }
+    /// What stands between quotation marks; nothing where that means something else than it says.
+    static std::optional<std::string_view> plainText(std::string_view quoted) {
+        if (!isQuoted(quoted) || quoted.size() < 2 || quoted.find('\\') != std::string_view::npos) return std::nullopt;
+        const std::string_view inner = quoted.substr(1, quoted.size() - 2);
+        const bool whole = quoted.back() == quoted.front() && inner.find(quoted.front()) == std::string_view::npos;
+        return whole ? std::optional(inner) : std::nullopt;
     }
 
     int named() {
         const LuaPath* const found = path();
         if (found == nullptr) return fail();
-        const std::string_view first = nameOf(*found, 0);
+        const std::string_view first = *nameOf(*found, 0);  // no text can be first
         if (found->parts.size() == 1) return wordAt(next_) == "(" ? called(first) : ofRun(first);
-        const std::string_view last = nameOf(*found, found->parts.size() - 1);
+        const auto written = nameOf(*found, found->parts.size() - 1);
+        if (!written) return fail();
+        const std::string_view last = *written;
         if (found->parts.size() == 2) {
             if (first == "draw") return ofTrial(Operation::drawn, last, start_.drawn);
             if (first == "measure") return ofTrial(Operation::measured, last, start_.measured);
-            if (const Quantity* const quantity = quantityOf(first, isOfGoal)) return ofGoal(*quantity, *found);
+            if (const Quantity* const quantity = quantityOf(first, isOfGoal)) return ofGoal(*quantity, *found, last);
         }
         const auto body = bodyAbove(*found, 1);
         return body ? ofBody(*body, last) : ofItem(*found, last);
@@ -217,8 +228,7 @@ private:
         return quantity == nullptr ? fail() : add({.operation = Operation::quantity, .asked = quantity});
     }
     static bool isOfGoal(const Quantity& quantity) { return quantity.of == Quantity::Of::goal; }
-    int ofGoal(const Quantity& quantity, const LuaPath& path) {
-        const std::string_view which = nameOf(path, 1);
+    int ofGoal(const Quantity& quantity, const LuaPath& path, std::string_view which) {
         const bool named = path.text.find_first_of("\"'.") != std::string_view::npos;
         const std::vector<Goal>& goals = start_.scene().environment.goals;
         for (std::size_t i = 0; i < goals.size(); ++i)
@@ -242,14 +252,16 @@ private:
     int ofItem(const LuaPath& path, std::string_view name) {
         const auto body = bodyAbove(path, 2);
         if (!body) return fail();
-        const std::string_view of = nameOf(path, path.parts.size() - 2);
+        const auto of = nameOf(path, path.parts.size() - 2);
+        if (!of) return fail();
         Node node{
-            .operation = Operation::item, .asked = quantityOf(*body, of), .body = *body, .name = std::string(name)};
+            .operation = Operation::item, .asked = quantityOf(*body, *of), .body = *body, .name = std::string(name)};
         if (node.asked == nullptr) {
-            const auto part = partNamed(*start_.scenario, *body, of);
+            const auto part = partNamed(*start_.scenario, *body, *of);
             if (!part) return fail();
             node.asked = &partQuantity();
             node.other = static_cast<std::uint32_t>(*part);
+            node.part = *of;
         }
         return node.asked->of == Quantity::Of::items ? add(std::move(node)) : fail();
     }

@@ -20,8 +20,8 @@ struct WorldView {
 /// take the place of the earlier ones.
 void addWorldNames(LuaSandbox& sandbox, const Scenario& scenario, const WorldView& view);
 
-/// The number of the body that a value stands for, which these names gave and still hold; noBody: `wall`. Nothing: it
-/// stands for no body.
+/// The number of the body that a value stands for which these names have just given; noBody: `wall`. Nothing: it stands
+/// for no body.
 std::optional<std::uint32_t> bodyOf(const LuaValue& value);
 
 }  // namespace mrose

@@ -66,9 +66,11 @@ struct Decision {
     std::vector<RadioMessage>
         messages;  ///< received at the others' next control instants, or as the scenario's radio says
     std::vector<Annotation> annotations;
-    bool wantsAnnotations = true;  ///< where it is false nobody sees any, so that none need be made
-    std::string breakReason;       ///< not empty: the debugger stops after this tick
-    std::string fault;             ///< not empty: the controller failed, and the robot is commanded to stand
+    /// Where it is false nobody sees annotations, so that none need be made. Neither orders nor memory may depend on
+    /// it.
+    bool wantsAnnotations = true;
+    std::string breakReason;  ///< not empty: the debugger stops after this tick
+    std::string fault;        ///< not empty: the controller failed, and the robot is commanded to stand
 
     /// Asks the debugger to stop here.
     void breakHere(std::string reason = "breakHere()") { breakReason = std::move(reason); }

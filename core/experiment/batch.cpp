@@ -75,7 +75,7 @@ private:
         RunOptions options;
         options.duration = options_.duration;
         options.until = until ? &*until : nullptr;
-        options.goesOn = [this] { return !stop_ && (!options_.goesOn || options_.goesOn()); };
+        options.goesOn = [this](const WorldState&) { return !stop_ && (!options_.goesOn || options_.goesOn()); };
         return run(scenario, scenario.initialState(key.seed), options);
     }
 

@@ -21,7 +21,7 @@ Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions
     options.every = ticksBetweenLooks(experiment, scenario->scene());
     options.watchFollows = readsInsights(experiment.branch.text, *scenario);
     options.watch = [&](const Moment& at) { return branches.holds(at); };
-    options.goesOn = goesOn;
+    options.goesOn = [&](const WorldState&) { return !goesOn || goesOn(); };
     auto result = run(*scenario, start, options);
     if (!result) return tl::unexpected(experiment.branch.placed(result.error(), experiment.file));
     BranchPoint point{std::move(scenario), std::move(*result), drawn};

@@ -63,7 +63,7 @@ private:
         result_.statistics.add(result_.state, trace_);
         if (follows_) noteInsights(scenario_, trace_, result_.state.tick, before_, insights_);
         if (options_.each && !options_.each(result_.state, trace_)) return RunEnd::stopped;
-        if (options_.goesOn && !options_.goesOn()) return RunEnd::stopped;
+        if (options_.goesOn && !options_.goesOn(result_.state)) return RunEnd::stopped;
         if (!result_.hidden.empty()) return RunEnd::rewind;
         if (options_.endOnFault && !trace_.faults.empty()) return RunEnd::fault;
         if ((result_.state.tick - first_) % options_.every != 0) return std::nullopt;

@@ -7,7 +7,6 @@
 
 #include "condition/condition.h"
 #include "io/error.h"
-#include "io/progress.h"
 #include "simulation/rewind_check.h"
 #include "simulation/run_statistics.h"
 
@@ -30,8 +29,9 @@ struct RunOptions {
     bool checkRewind = false;      ///< takes every tick twice; the run ends where that makes a difference
     bool traceUnread = false;      ///< StepTrace::asksUnread; for a condition that reads sensors so it is without
     bool countsUnfamiliar = true;  ///< RunStatistics::unfamiliar, which costs some 7 % of a run
-    GoesOn goesOn = {};            ///< asked after every tick; false stops the run. May be empty
-    /// The same, told the tick's trace.
+    /// Asked after every tick; false stops the run. May be empty.
+    std::function<bool(const WorldState&)> goesOn = {};
+    /// The same with the tick's trace, which then holds what StepTrace::asksInsights asks for.
     std::function<bool(const WorldState&, const StepTrace&)> each = {};
 };
 

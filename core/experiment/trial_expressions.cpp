@@ -112,8 +112,7 @@ TrialMeasurement::TrialMeasurement(const Experiment& experiment, CompiledExpress
     for (const Measure& measure : measures) {
         const auto isSame = [&](const Measure& one) { return one.expression.text == measure.expression.text; };
         firstOfText_.push_back(static_cast<std::size_t>(std::ranges::find_if(measures, isSame) - measures.begin()));
-        if (measure.of >= Measure::Of::seconds && measure.expression.text == experiment.until.text)
-            untilsText_ = firstOfText_.back();
+        isUntil_.push_back(measure.of >= Measure::Of::seconds && measure.expression.text == experiment.until.text);
     }
 }
 
@@ -140,6 +139,11 @@ void TrialMeasurement::skip() {
 }
 
 Expected<double> TrialMeasurement::valueOf(std::size_t measure, const Moment& at) {
+    if (isUntil_[measure]) {
+        const auto over = isOver(at);
+        if (!over) return tl::unexpected(over.error());
+        return *over ? 1 : 0;
+    }
     std::optional<double>& seen = seen_[firstOfText_[measure]];
     if (seen) return *seen;
     auto value = expressions_.measures[measure].value(at);
@@ -150,6 +154,7 @@ Expected<double> TrialMeasurement::valueOf(std::size_t measure, const Moment& at
 Expected<bool> TrialMeasurement::look(const Moment& at) {
     ++looks_;
     seen_.assign(seen_.size(), std::nullopt);
+    over_.reset();
     for (std::size_t i = 0; i < measures_.size(); ++i) {
         const Measure::Of of = experiment_.measures[i].of;
         double& measured = measures_[i];
@@ -171,10 +176,10 @@ Expected<bool> TrialMeasurement::look(const Moment& at) {
 
 Expected<bool> TrialMeasurement::isOver(const Moment& at) {
     if (!expressions_.until) return false;
-    if (untilsText_ && seen_[*untilsText_]) return *seen_[*untilsText_] != 0;
+    if (over_) return *over_;
     auto over = expressions_.until->holds(at);
     if (!over) return tl::unexpected(experiment_.until.placed(over.error(), experiment_.file));
-    return *over;
+    return *(over_ = *over);
 }
 
 double TrialMeasurement::inSeconds(double looks) const { return toSeconds(static_cast<Nanoseconds>(looks) * between_); }

@@ -61,8 +61,9 @@ private:
     Nanoseconds between_;
     std::vector<double> features_, measures_;
     std::vector<std::size_t> firstOfText_;     ///< by measure, the first with the same text
-    std::optional<std::size_t> untilsText_;    ///< the same of a truth with the text of `until`
+    std::vector<bool> isUntil_;                ///< by measure, whether it asks during the run what `until` does
     std::vector<std::optional<double>> seen_;  ///< by measure, what this look gave
+    std::optional<bool> over_;                 ///< what `until` gave at this look
     std::vector<std::int64_t> held_;           ///< by measure, for how many looks up to the last
     std::int64_t looks_ = 0;
 };

@@ -41,7 +41,7 @@ Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledE
     options.finally = [&](const Moment& at) {
         if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
     };
-    options.goesOn = goesOn;
+    options.goesOn = [&](const WorldState&) { return !goesOn || goesOn(); };
     auto result = run(scenario, start, options);
     if (!result) return tl::unexpected(result.error());
     if (wrong) return tl::unexpected(*wrong);

@@ -43,7 +43,7 @@ inline double logNormalProbability(double x) {
     return -0.5 * x * x - 0.5 * logarithm(2 * std::numbers::pi) - logarithm(normalHazard(-x));
 }
 
-/// The same with its slope, sooner; absolute error below 1e-14.
+/// The same with its slope, sooner; error below 1e-14 of the value, or 4e-15.
 struct LogProbability {
     double value, slope;
 };

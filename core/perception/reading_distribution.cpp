@@ -1,8 +1,10 @@
 #include "perception/reading_distribution.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 #include "geometry/normal_distribution.h"
 
@@ -10,9 +12,10 @@ namespace mrose {
 namespace {
 
 constexpr double leastSpread = -11.5, mostSpread = 6.9;  // logarithms
-constexpr double logTwoPi = 1.8378770664093453;
+constexpr double logTwoPi = 1.8378770664093453;          // known here: every reading that is learned from needs it
 
-/// exponential() of |x| <= 700, without a branch, so that compilers compute several at once.
+/// exponential() of |x| <= 700. Without a branch, and without making an integer of the exponent, compilers compute
+/// several at once.
 inline double exponentialNear(double x) {
     const elementary::Exponent e(x);
     const auto whole = std::bit_cast<std::uint64_t>(e.whole + 0x1.8p52);

@@ -54,7 +54,7 @@ inline const LearnedMapping* PluginOptions::mapping(const char* key, std::initia
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 8;
+constexpr std::uint32_t pluginInterface = 9;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {

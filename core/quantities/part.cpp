@@ -55,6 +55,13 @@ std::optional<std::size_t> partNamed(const Scenario& scenario, std::size_t body,
     return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
+bool isPartNamed(const Scenario& scenario, std::size_t body, std::size_t part, std::string_view name) {
+    const bool robot = body < scenario.scene().robots.size();
+    if (!robot || part < firstSensorPart) return partNamed(scenario, body, name) == part;
+    const auto sensors = scenario.sensors(body);
+    return part - firstSensorPart < sensors.size() && sensors[part - firstSensorPart]->name() == name;
+}
+
 void addPartEntries(const Moment& moment, std::size_t body, std::size_t part, MemoryEntries& entries) {
     const Scenario& scenario = *moment.scenario;
     const Scene& scene = scenario.scene();

@@ -19,6 +19,8 @@ std::vector<std::string> partNames(const Scenario& scenario, std::size_t body);
 
 /// The place of the one of that name; nothing: there is none.
 std::optional<std::size_t> partNamed(const Scenario& scenario, std::size_t body, std::string_view name);
+/// Whether the one at a place has that name: where bodies may be of other types than before.
+bool isPartNamed(const Scenario& scenario, std::size_t body, std::size_t part, std::string_view name);
 
 /// The place of a robot's first sensor among its parts; those before explain what the state holds alone.
 constexpr std::size_t firstSensorPart = 2;

@@ -19,10 +19,10 @@ struct LuaLimits {
     int instructions = 10'000;     ///< of one evaluation
 };
 
-/// A value that is neither true or false, a number nor a text. Both live as long as the sandbox.
+/// A value that is neither true or false, a number nor a text.
 struct LuaOther {
-    const char* type;            ///< "nil", "function", "robot"
-    const void* data = nullptr;  ///< of userdata that names hold
+    const char* type;            ///< "nil", "function", "robot"; lives as long as the sandbox
+    const void* data = nullptr;  ///< of userdata: until the sandbox is asked again, or as long as a name holds it
 };
 using LuaValue = std::variant<bool, double, std::string, LuaOther>;
 

@@ -34,6 +34,7 @@ std::vector<RewindDifference> stepTwice(const Scenario& scenario, WorldState& st
                                         StepTrace& trace, const Overrides& overrides) {
     WorldState again = state;
     StepTrace second;
+    second.asksInsights = trace.asksInsights;
     step(scenario, state, buffers, overrides, &trace);
     step(scenario, again, buffers, overrides, &second);
     std::vector<RewindDifference> differences;

@@ -9,7 +9,7 @@
 namespace mrose {
 namespace {
 
-constexpr std::string_view ofFeature = "feature.", ofMeasure = "measure.", ofDraw = "draw.";
+constexpr std::string_view ofFeature = "feature.", ofMeasure = "measure.", ofDraw = "draw.", ofSweep = "swept";
 
 /// What columns that begin so are called.
 std::vector<std::string> namesOf(const ResultsTable& table, std::string_view beginning) {
@@ -27,8 +27,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 Expected<std::size_t> columnOf(const ResultsTable& table, std::string_view kind, const std::string& name,
                                const char* flag) {
-    const bool draw = kind == ofFeature && name.starts_with(ofDraw);
-    const std::size_t column = table.columnOf(draw ? name : std::string(kind) + name);
+    const bool whole = kind == ofFeature && (name.starts_with(ofDraw) || name == ofSweep);
+    const std::size_t column = table.columnOf(whole ? name : std::string(kind) + name);
     if (column < table.columns.size()) return column;
     return fail(table.file,
                 "has no " + std::string(kind.substr(0, kind.size() - 1)) + " \"" + name + "\"; it has " +

@@ -12,7 +12,7 @@ namespace mrose {
 /// What is to be learned of an experiment's rows.
 struct TaskQuestion {
     std::vector<std::string>
-        inputs;          ///< names of features, or of draws as "draw.x"; empty: all features not in `beside`
+        inputs;          ///< names of features, of draws as "draw.x", or "swept"; empty: all features not in `beside`
     std::string target;  ///< the name of a measure
     std::vector<std::string> beside;  ///< features that are guesses of the target, to be judged beside what is learned
     bool unfinished = false;          ///< of rows that `until` did not end, too

@@ -107,10 +107,12 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     KeptRecording recording(std::move(writer), watch);
     if (watch.begins)
         watch.begins(initial, options.duration / scenario.scene().tickLength, [&recording] { recording.flush(); });
-    options.each = [&](const WorldState& state, const StepTrace& trace) {
-        recording.add(state, trace);
-        return !watch.each || watch.each(state);
-    };
+    if (!request.recording.empty())
+        options.each = [&](const WorldState& state, const StepTrace& trace) {
+            recording.add(state, trace);
+            return true;
+        };
+    options.goesOn = watch.each;
     auto result = run(scenario, initial, options);
     auto lost = recording.close(result ? &result->state : nullptr);
     if (!result) return tl::unexpected(result.error());

@@ -8,16 +8,33 @@
 #include <gtest/gtest.h>
 
 #include "condition/condition.h"
+#include "quantities/part.h"
 #include "simulation/small_world.h"
 
 namespace mrose {
 namespace {
 
+/// Drives, and counts how often it was asked.
+class Counting final : public Controller {
+public:
+    std::size_t memorySize() const override { return sizeof(std::int64_t); }
+    void decide(const Observation& /*observation*/, std::span<std::byte> memory, Decision& decision) const override {
+        ++as<std::int64_t>(memory);
+        decision.command = Command{0.6, 0.1};
+    }
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
+        const auto asked = as<std::int64_t>(memory);
+        entries.add("asked", static_cast<double>(asked));
+        entries.add("state", asked > 2 ? "on the way" : "begins");
+        if (asked > 2) entries.add("late", 1.5);
+    }
+};
+
 Scenario robotsAndBall() {
     Environment environment = walledField(10, 6);
     environment.goals = {{"2", {{0, 2}, {1, 2}, {1, 3}, {0, 3}}}, {"right", {{9, 2}, {10, 2}, {10, 3}, {9, 3}}}};
     SmallWorld world(environment);
-    world.robot(squareRobot(), {2, 3, 0}, std::make_shared<Told>(Command{0.6, 0.1}), ideal())
+    world.robot(squareRobot(), {2, 3, 0}, std::make_shared<Counting>(), ideal())
         .robot(squareRobot(), {3.5, 3, 3.1}, std::make_shared<Told>(Command{0.4, 0}), ideal())
         .object(ballType(), {5, 1, 0}, {-1, 0.2, 0});
     return world.scenario();
@@ -75,10 +92,38 @@ TEST_F(PlainExpressions, ReadMemories) {
     for (const char* text : {"robot[1].motion.unperturbed_v", "robot[1].controller.phase == 'driving'",
                              "not (robot[1].note.state ~= \"resting\")"})
         EXPECT_TRUE(read(text)) << text;
-    for (const char* text : {"'driving' == robot[1].controller.phase", "robot[1].controller.phase < 'a'",
-                             "robot[1].controller.phase == 'a\\'b'", "robot[1].gearbox.phase == 'driving'",
-                             "robot[1].x == 'a'", "robot[1].controller == 'a'"})
+    for (const char* text :
+         {"'driving' == robot[1].controller.phase", "robot[1].controller.phase < 'a'",
+          "robot[1].controller.phase == 'a\\'b'", "robot[1].gearbox.phase == 'driving'", "robot[1].x == 'a'",
+          "robot[1].controller['a\\65'] > 1", "robot[1].controller[ [[a]] ] > 1", "robot[1].controller == 'a'"})
         EXPECT_FALSE(read(text)) << text;
+}
+
+TEST_F(PlainExpressions, SayOfMemoriesWhatLuaSays) {
+    for (const int ticks : {0, 1, 30}) {
+        runTicks(ticks);
+        for (const char* text :
+             {"robot[1].controller.asked", "robot[1].controller.asked * 2 > 5", "robot[1].controller.state == 'begins'",
+              "robot[1].controller.state ~= \"begins\"", "robot[1].controller['state'] == 'on the way'",
+              "robot[1].controller['state '] == 'begins'", "robot[1].controller['asked]'] == robot[1].controller.asked",
+              "not robot[1].controller.state == 'begins'", "robot[1].controller.asked == 'begins'",
+              "robot[1].controller.late", "robot[1].controller.late ~= 'begins'", "robot[1].controller.never > 0",
+              "robot[1].controller.state + 1", "robot[2].controller.asked == robot[2].controller.asked",
+              "robot[1].sight.robots > 0", "robot[1].sight.robotz > 0", "robot[1].motion.never or 3"})
+            EXPECT_EQ(compiledAndGiven(text), byLua(text)) << text << " after " << state_.tick;
+    }
+    EXPECT_EQ(compiledAndGiven("robot[1].controller.state == 'on the way' and robot[1].controller.late == 1.5"),
+              std::to_string(std::bit_cast<std::uint64_t>(1.0)));
+}
+
+/// Of a robot of another type, whose sensors are others or come in another order.
+TEST_F(PlainExpressions, KnowWhosePartThePlaceIs) {
+    const std::vector<std::string> parts = partNames(scenario_, 0);
+    ASSERT_GT(parts.size(), firstSensorPart) << "controller, motion, and what every robot senses by";
+    for (std::size_t i = 0; i < parts.size() + 2; ++i)
+        for (const std::string& name : parts)
+            EXPECT_EQ(isPartNamed(scenario_, 0, i, name), i < parts.size() && parts[i] == name) << name << i;
+    EXPECT_FALSE(isPartNamed(scenario_, 2, 0, "motion")) << "a ball that remembers nothing";
 }
 
 TEST_F(PlainExpressions, LeaveTheRestToLua) {
@@ -93,7 +138,7 @@ TEST_F(PlainExpressions, LeaveTheRestToLua) {
                              "nil",
                              "(function() return 1 end)()",
                              "0x10 > 1",
-                             
+
                              "robot[1] == robot[2]",
                              "sin",
                              "sin(1, 2)",

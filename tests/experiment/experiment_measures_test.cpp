@@ -47,6 +47,33 @@ TEST_F(ExperimentTest, TrialEndsWhereItsConditionHoldsAndMeasuresLookAtAllOfIt) 
     for (const auto& row : rows("rarely")) EXPECT_EQ(row.at("time_s"), "3.0");
 }
 
+/// What several ask is asked once, and is what it would be if each asked by itself.
+TEST_F(ExperimentTest, SharedQuestionsGiveWhatTheyGiveAlone) {
+    const Experiment lane = experiment(
+        "trials = 3\nuntil = 'robot[1].x > 1.2'\n[measures]\n"
+        "over = { first = 'robot[1].x > 1.2' }\nover_alone = { first = '(robot[1].x > 1.2)' }\n"
+        "half = { seconds = 'robot[1].x > 0.5' }\nhalves = { times = 'robot[1].x > 0.5' }\n"
+        "half_alone = { seconds = '(robot[1].x > 0.5)' }\nat_end = 'robot[1].x > 0.5'\n"
+        "mean = { mean = 'robot[1].x' }\nmost = { most = 'robot[1].x' }\nmean_alone = { mean = '(robot[1].x)' }\n");
+    ASSERT_TRUE(run(lane));
+    for (const auto& row : rows()) {
+        EXPECT_EQ(row.at("end"), "condition");
+        EXPECT_EQ(row.at("measure.over"), row.at("time_s"));
+        EXPECT_EQ(row.at("measure.over"), row.at("measure.over_alone"));
+        EXPECT_GT(number(row.at("measure.half")), 1);
+        EXPECT_EQ(row.at("measure.half"), row.at("measure.half_alone"));
+        EXPECT_EQ(row.at("measure.halves"), "1.0");
+        EXPECT_EQ(row.at("measure.at_end"), "1.0");
+        EXPECT_EQ(row.at("measure.mean"), row.at("measure.mean_alone"));
+        EXPECT_GT(number(row.at("measure.most")), 1.2);
+    }
+    const Experiment wrong =
+        experiment("trials = 1\nuntil = 'time > 1 and 5'\n[measures]\na = { seconds = 'time > 1 and 5' }\n");
+    const auto summary = run(wrong, "wrong");
+    ASSERT_FALSE(summary);
+    EXPECT_THAT(summary.error().message(), HasSubstr("gives the number 5.0; expected true or false"));
+}
+
 TEST_F(ExperimentTest, MeasuresTellTheLongestStretchAndReadThoseAboveThem) {
     const Experiment lane = experiment(
         "trials = 3\n[measures]\nlongest = { longest = 'robot[1].x % 0.3 < 0.1 or robot[1].x > 1.2' }\n"

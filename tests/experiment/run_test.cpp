@@ -141,5 +141,55 @@ TEST(Run, WatcherSeesEveryTickAndMayStopIt) {
     for (std::size_t i = 0; i < ticks.size(); ++i) EXPECT_EQ(ticks[i], static_cast<std::int64_t>(i) + 1);
 }
 
+/// Annotates where it is wanted, and counts how often it was.
+class Annotating final : public Controller {
+public:
+    void decide(const Observation& /*observation*/, std::span<std::byte> /*memory*/,
+                Decision& decision) const override {
+        decision.command = Command{0.1, 0.2};
+        if (!decision.wantsAnnotations) return;
+        ++wanted;
+        decision.annotations.push_back({.label = "wanted", .value = 1});
+    }
+    mutable int wanted = 0;
+};
+
+TEST(Run, NothingIsAnnotatedWhereNobodyWatches) {
+    const auto controller = std::make_shared<const Annotating>();
+    const Scenario scenario = SmallWorld().robot(discRobot(), {}, controller, ideal()).scenario();
+    const RunOptions unwatched{.duration = second};
+    const auto alone = run(scenario, scenario.initialState(), unwatched);
+    ASSERT_TRUE(alone);
+    EXPECT_EQ(controller->wanted, 0);
+    RunOptions watched = unwatched;
+    std::size_t annotations = 0;
+    watched.each = [&](const WorldState&, const StepTrace& trace) {
+        annotations += trace.robots[0].decision.annotations.size();
+        return true;
+    };
+    const auto seen = run(scenario, scenario.initialState(), watched);
+    ASSERT_TRUE(seen);
+    EXPECT_GT(annotations, 5u);
+    EXPECT_EQ(controller->wanted, static_cast<int>(annotations));
+    EXPECT_FALSE(firstDifference(alone->state, seen->state));
+    auto noted = compileCondition("robot[1].note.wanted == 1", scenario);
+    ASSERT_TRUE(noted) << noted.error().message();
+    RunOptions asking = unwatched;
+    asking.until = &*noted;
+    const auto asked = run(scenario, scenario.initialState(), asking);
+    ASSERT_TRUE(asked);
+    EXPECT_EQ(asked->end, RunEnd::condition);
+}
+
+TEST(Run, GoesOnAsLongAsItIsToldTo) {
+    const Scenario scenario(trialWorld());
+    RunOptions options;
+    options.goesOn = [](const WorldState& state) { return state.tick < 7; };
+    const auto result = run(scenario, scenario.initialState(), options);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->end, RunEnd::stopped);
+    EXPECT_EQ(result->state.tick, 7);
+}
+
 }  // namespace
 }  // namespace mrose

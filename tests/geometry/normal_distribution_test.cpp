@@ -30,6 +30,19 @@ TEST(NormalDistribution, IsFiniteFarOut) {
     EXPECT_EQ(normalHazard(-60), 0);
 }
 
+TEST(NormalDistribution, LogarithmAndItsSlopeComeTogether) {
+    for (double x = -37; x <= 12; x += 0.0625) {
+        const long double below = 0.5L * std::erfc(-static_cast<long double>(x) / std::sqrt(2.0L));
+        const long double above = 0.5L * std::erfc(static_cast<long double>(x) / std::sqrt(2.0L));
+        const auto expected = static_cast<double>(x > 0 ? std::log1p(-above) : std::log(below));
+        const auto [value, slope] = logProbabilityAndSlope(x);
+        EXPECT_NEAR(value, expected, std::max(1e-14 * std::abs(expected), 4e-15)) << x;
+        EXPECT_EQ(slope, normalHazard(-x));
+    }
+    EXPECT_EQ(logProbabilityAndSlope(60).value, 0);
+    EXPECT_NEAR(logProbabilityAndSlope(-60).value, logNormalProbability(-60), 1e-9);
+}
+
 TEST(NormalDistribution, QuantileIsTheInverse) {
     for (double x = -8; x <= 5; x += 0.125) EXPECT_NEAR(normalQuantile(normalProbability(x)), x, 1e-9) << x;
     EXPECT_NEAR(normalQuantile(0.5), 0, 1e-15);

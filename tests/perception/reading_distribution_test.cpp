@@ -140,6 +140,30 @@ TEST(ReadingDistributions, LossesAreLogarithmsOfLikelihoods) {
                     -std::log(d.density(error)), 1e-9);
 }
 
+/// A component that is out of the question, and one that lies far off.
+TEST(ReadingDistributions, LossIsFiniteFarOut) {
+    std::vector<double> values = someValues();
+    values.erase(values.begin());
+    std::vector<double> gradient(values.size());
+    const auto at = [&](int i) -> double& { return values[static_cast<std::size_t>(i)]; };
+    const ReadingError near{0.1, -0.02};
+    at(form.shareOf(1)) = -2000;
+    const double alone = errorLoss(form, values.data(), gross, near, gradient.data());
+    const double even = 0.05 * gross.density(2), peak = 1 / (2 * std::numbers::pi * 0.2 * 0.03);
+    EXPECT_NEAR(alone, -std::log(0.95 * peak + even), 1e-9);
+    EXPECT_NEAR(gradient[static_cast<std::size_t>(form.shareOf(1))], 0, 1e-300);
+    at(form.shareOf(1)) = 2000;
+    at(form.errorOf(1, 0)) = 100;
+    EXPECT_NEAR(errorLoss(form, values.data(), gross, near, gradient.data()), -std::log(even), 1e-9)
+        << "nothing but a gross error";
+    const ReadingError beyond{1e4, 0};
+    const double far = errorLoss(form, values.data(), gross, beyond, gradient.data());
+    const double z = (1e4 - 100) / 0.4, sideways = 0.05 / 0.1;
+    EXPECT_NEAR(far, 0.5 * z * z + 0.5 * sideways * sideways - std::log(0.95 / (2 * std::numbers::pi * 0.4 * 0.1)),
+                1e-4);
+    for (const double slope : gradient) EXPECT_TRUE(std::isfinite(slope));
+}
+
 TEST(ReadingDistributions, GradientsAreThoseOfFiniteDifferences) {
     std::vector<double> values = someValues();
     values.erase(values.begin());

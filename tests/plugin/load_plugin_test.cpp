@@ -94,7 +94,7 @@ TEST(PluginLoading, NameAloneIsNoSystemLibrary) { EXPECT_EQ(refusal("libm.so.6")
 TEST(PluginLoading, WhatWasBuiltOtherwiseIsSaid) {
     EXPECT_EQ(refusal(testPlugin("other_interface")),
               testPlugin("other_interface") +
-                  ": was built for plug-in interface 0 and not 8; build it with the headers of this program");
+                  ": was built for plug-in interface 0 and not 9; build it with the headers of this program");
     EXPECT_EQ(
         refusal(testPlugin("other_library")),
         testPlugin("other_library") + ": was built with libstdc++ with debugging containers and not with libstdc++");

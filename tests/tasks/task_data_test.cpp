@@ -61,6 +61,22 @@ TEST_F(TaskDataTest, InputsMayBeChosenAndBeDraws) {
     EXPECT_THAT(data->x, ElementsAre(3.0, -1.0, 3.0, -1.0, 4.0, -2.0, 5.0, -3.0));
 }
 
+/// Variants that no sweep made have no such number, and are left out.
+TEST_F(TaskDataTest, InputMayBeWhatWasSwept) {
+    folder_.write("results.csv",
+                  "trial,seed,variant,variant_name,end,feature.a,measure.t,swept\n"
+                  "1,1,1,plain,condition,0.5,2.0,\n"
+                  "1,1,2,loss 10 %,condition,0.5,3.0,10\n"
+                  "1,1,3,loss 20 %,condition,0.5,4.0,20\n");
+    const auto table = readResultsTable(folder_.path());
+    ASSERT_TRUE(table) << table.error().message();
+    const auto data = taskData(*table, {.inputs = {"swept", "a"}, .target = "t"});
+    ASSERT_TRUE(data) << data.error().message();
+    EXPECT_THAT(data->x, ElementsAre(10.0, 0.5, 20.0, 0.5));
+    EXPECT_EQ(data->unknown, 1);
+    EXPECT_THAT(refusal({.inputs = {"swept"}, .target = "t"}), HasSubstr("has no feature \"swept\""));
+}
+
 TEST_F(TaskDataTest, TrialsAreHeldOutWhole) {
     TaskData data{.inputs = {"a"}, .target = "t"};
     for (std::uint32_t trial = 1; trial <= 20; ++trial)
