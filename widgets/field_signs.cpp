@@ -15,7 +15,7 @@ std::uint64_t labelKey(std::uint64_t kind, std::uint64_t first, std::uint64_t se
 }
 
 /// Of 255: how strong the notes of others than the selected robot are; where none is selected, points, and lines.
-constexpr int faintest = 70, faint = 120, lines = 230;
+constexpr int faintest = 70, faint = 190, lines = 230;
 /// Of those of whom an answer is not.
 constexpr int quiet = 30;
 

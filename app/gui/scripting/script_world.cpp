@@ -3,6 +3,7 @@
 #include <lua.hpp>
 
 #include "frame/status_line.h"
+#include "script/lua_math.h"
 #include "widgets/field_view.h"
 
 namespace mrose::gui {
@@ -42,6 +43,7 @@ std::string bodiesOf(const Scene& scene) {
 }  // namespace
 
 ScriptWorld::ScriptWorld(LuaSandbox& sandbox, const ScriptedWindow& window) : sandbox_(sandbox), window_(window) {
+    addMath(sandbox_);
     sandbox_.addVariable("branch", pushText<&View::branch>);
     sandbox_.addVariable("branches", pushBranches);
     sandbox_.addVariable("playing", pushPlaying);

@@ -20,7 +20,6 @@
 #include "panels/time_bar.h"
 #include "reality/error_plot.h"
 #include "reality/overlay.h"
-#include "script/lua_math.h"
 #include "scripting/export_script.h"
 #include "scripting/overlay_script.h"
 #include "scripting/script_world.h"
@@ -125,7 +124,6 @@ class WindowScript {
 public:
     WindowScript(const ScriptedWindow& window, const std::string& source, const ScriptOutput& output)
         : window_(window), source_(source), output_(output), sandbox_(scriptLimits), world_(sandbox_, window) {
-        addMath(sandbox_);
         for (const std::string& name : scriptFunctions(window.frame.actions)) addFunction(name);
     }
 
