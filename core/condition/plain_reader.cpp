@@ -52,9 +52,9 @@ private:
         next_ += 2;
         return true;
     }
-    /// Whether the operator of one character that is next is the beginning of a longer one: "//", "<<", "<=", "~=".
+    /// Whether the operator of one character that is next begins a longer one that is not read here.
     bool isLonger() const {
-        constexpr std::array<std::string_view, 7> longer{"<=", ">=", "~=", "//", "<<", ">>", "::"};
+        constexpr std::array<std::string_view, 3> longer{"//", "<<", ">>"};
         if (next_ + 1 >= tokens_.size() || tokens_[next_].end != tokens_[next_ + 1].begin) return false;
         return std::ranges::find(longer, text_.substr(tokens_[next_].begin, 2)) != longer.end();
     }

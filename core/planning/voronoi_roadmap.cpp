@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include <boost/polygon/voronoi.hpp>
 
@@ -77,16 +76,11 @@ std::vector<OutlineSample> outlineSamples(std::span<const ConvexPiece> pieces) {
             if (!faces) continue;
             const int parts = static_cast<int>(std::ceil(length(line) / samplesApart));
             const auto at = [&](int part) { return a + (static_cast<double>(part) / parts) * line; };
-            std::optional<bool> roomHere;
+            bool room = false;  // also of where the next part begins
             for (int part = 0; part < parts;) {
                 add(at(part), i);
-                std::optional<bool> roomThere;
-                if (part + 2 <= parts) {
-                    if (!roomHere) roomHere = hasRoom(pieces, i, at(part));
-                    if (*roomHere) roomThere = hasRoom(pieces, i, at(part + 2));
-                }
-                part += roomThere == true ? 2 : 1;
-                roomHere = roomThere == true ? roomThere : std::nullopt;
+                room = part + 2 <= parts && (room || hasRoom(pieces, i, at(part))) && hasRoom(pieces, i, at(part + 2));
+                part += room ? 2 : 1;
             }
         }
     }

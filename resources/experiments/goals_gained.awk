@@ -10,5 +10,5 @@ NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
 }
 END {
     for (t in gain) { d = gain[t] / played[t]; n++; e = d - mean; mean += e / n; square += e * (d - mean) }
-    printf "%d games: %.2f goals a game to %.2f, %+.3f +- %.3f\n", games, scored / games, conceded / games, mean, 1.96 * sqrt(square / (n - 1) / n)
+    printf "%d games: %.3f goals a game to %.3f, %+.3f +- %.3f\n", games, scored / games, conceded / games, mean, 1.96 * sqrt(square / (n - 1) / n)
 }
