@@ -249,6 +249,8 @@ void printSummary(const TrainedNetwork& trained, const std::string& file, double
         "held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the "
         "rotation\n",
         n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
+    if (const std::string limits = limitsInWords(n.limits); !limits.empty())
+        std::printf("limits of the drive, found in the logs: %s\n", limits.c_str());
     if (!trained.withoutNoise.empty())
         std::printf("Note: its noise was not learned: %s\n", trained.withoutNoise.c_str());
     if (n.heldOut.part.holdsAny())

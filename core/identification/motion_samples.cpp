@@ -108,9 +108,13 @@ private:
                             relative(fine_.poses[i], fine_.poses[i + stride()]),
                             velocityAt(i),
                             velocityAt(i + stride()),
+                            {},
                             {}};
-        if (options_.measuredStarts)
-            sample.measured = relative(fine_.poses[i], measuredStart(trajectory_, sample.start).pose);
+        if (options_.measuredStarts) {
+            const MeasuredStart measured = measuredStart(trajectory_, sample.start);
+            sample.measured = relative(fine_.poses[i], measured.pose);
+            sample.measuredVelocity = measured.velocity;
+        }
         out_.samples.push_back(sample);
         out_.inputs.resize(out_.inputs.size() + out_.width);
         reader_.readRaw({&history, sample.start, sample.before}, robot_,

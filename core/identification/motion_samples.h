@@ -15,7 +15,9 @@ struct MotionSample {
     Nanoseconds start = 0;
     Pose increment;          ///< over the period, in the robot's frame at its start
     Velocity before, after;  ///< at the period's start and end
-    Pose measured;           ///< what measuredStart says of the start, in the frame of the truth; if it is asked for
+    /// What measuredStart says of the start, the pose in the frame of the truth; if it is asked for.
+    Pose measured;
+    StampedVelocity measuredVelocity;
 };
 
 /// Consecutive periods without a gap, of one robot.
@@ -43,7 +45,7 @@ struct SampleOptions {
     HoldOut heldOut{};  ///< groups that are not among the logs: the others are divided evenly
     double block = 44;  ///< s: a trajectory of several blocks is divided among the folds by blocks, a shorter one
                         ///< belongs to one fold with all of its group
-    bool measuredStarts = false;  ///< MotionSample::measured
+    bool measuredStarts = false;  ///< MotionSample::measured, measuredVelocity
 };
 
 /// The patterns of one or several logs.
@@ -67,9 +69,9 @@ std::vector<TrackerOffset> removeTrackerOffsets(MotionSamples& samples);
 /// learned from never reads what is held out: at the beginning of each block as much is left out as a pattern reads
 /// back, and a period (1 s at least); where a trajectory's commands begin while another one of its robot was tracked,
 /// the patterns that read them are marked (SampleRun::reaches). No pattern reads back beyond the first command. Of
-/// trajectories of less than 10 s nothing else is given away: patterns go up to the end, and begin 1.5 s after the
-/// first command or with the truth. Velocities are what the robot measured itself, as in measuredStart, where it did;
-/// else slopes of the truth. Error: no pattern at all.
+/// trajectories of less than 10 s nothing else is given away: patterns go up to the end, and begin as long after the
+/// first command as a pattern reads back, 1.5 s at least, or with the truth. Velocities are what the robot measured
+/// itself, as in measuredStart, where it did; else slopes of the truth. Error: no pattern at all.
 Expected<MotionSamples> motionSamples(std::span<const Log> logs, const MotionNetwork& network,
                                       const SampleOptions& options);
 

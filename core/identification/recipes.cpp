@@ -82,8 +82,10 @@ MotionNetwork stateBlueprint(const RobotTraits& traits, std::vector<std::string>
     const double oldest = std::max(times.deadTimeV, times.deadTimeW) + 0.15;
     std::vector<double> edges{newest};
     while (edges.back() < oldest - 0.01) edges.push_back(roundedTo5ms(edges.back() + 0.05));
-    // What the velocity does not tell: where a caster stands, how far a controller has wound up.
-    for (const double further : {0.1, 0.2, 0.2, 0.2}) edges.push_back(roundedTo5ms(edges.back() + further));
+    network.limits = times.limits;
+    // What the velocity does not tell: how far a controller has wound up, where a ramp is that is not known.
+    if (times.limits.accelerationV == 0 || times.limits.accelerationW == 0)
+        for (const double further : {0.1, 0.2, 0.2, 0.2}) edges.push_back(roundedTo5ms(edges.back() + further));
     for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
         for (std::size_t i = 0; i + 1 < edges.size(); ++i)
             network.inputs.push_back(meanOf(quantity, edges[i], edges[i + 1]));

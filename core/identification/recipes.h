@@ -8,19 +8,20 @@
 
 namespace mrose {
 
-/// How a robot answers commands in time, s: what a recipe is laid out for.
+/// How a robot answers commands: what a recipe is laid out for.
 struct ResponseTimes {
-    double deadTimeV = 0, lagV = 0, deadTimeW = 0, lagW = 0;  ///< of the mean response: jitter counts as lag
-    double recoveryV = 0, recoveryW = 0;  ///< lags of the drive itself, by which a push is forgotten
+    double deadTimeV = 0, lagV = 0, deadTimeW = 0, lagW = 0;  ///< s, of the mean response: jitter counts as lag
+    double recoveryV = 0, recoveryW = 0;  ///< s, lags of the drive itself, by which a push is forgotten
+    ActuatorLimits limits{};              ///< of the drive, where they are known
 };
 
 /// The network that we want people to use: form history. It reads the commands of the last few tenths of a second in
 /// bins, finest where the dead time ends, and for wheel speeds in steps where between two steps the commands lie.
 MotionNetwork historyBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
 
-/// For robots whose motion depends on how fast they already are, as where accelerations are limited: form state, with
-/// the commands around the dead time in bins of 50 ms and in coarser ones for 0.7 s before. Meant to be learned on
-/// rollouts.
+/// For robots whose motion depends on how fast they already are: form state, with the commands around the dead time in
+/// bins of 50 ms, as the drive's limits let it follow them; where not both accelerations are limited, in coarser bins
+/// for 0.7 s before, too. Meant to be learned on rollouts.
 MotionNetwork stateBlueprint(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& times);
 
 /// For robots that measure their own velocity: form state, to be learned on rollouts. What terrain makes of a command

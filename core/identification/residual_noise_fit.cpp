@@ -347,13 +347,50 @@ std::size_t residualLength(const MotionSamples& samples) {
     return length >= shortest ? length : 0;
 }
 
+namespace {
+
+/// Predictions begin with a velocity that was measured up to a period before, and that the network carries on.
+void beginAsPredictionsDo(const MotionNetwork& network, const MotionSamples& samples, RolloutBatch& batch) {
+    if (network.form != MotionNetwork::Form::state) return;
+    PatternMatrix before(batch.chains(), static_cast<int>(samples.width)), after;
+    std::vector<std::size_t> carried;
+    for (std::size_t chain = 0; chain < batch.chains(); ++chain) {
+        const std::size_t start = batch.starts()[chain];
+        const MotionSample& sample = samples.samples[start];
+        const Velocity& measured = sample.measuredVelocity.velocity;
+        if (2 * (sample.start - sample.measuredVelocity.time) < samples.period) {
+            batch.beginWith(chain, measured);
+        } else if (start > 0 && samples.samples[start - 1].start == sample.start - samples.period) {
+            carried.push_back(chain);
+            const auto raw = samples.inputsOf(start - 1);
+            for (std::size_t i = 0; i < raw.size(); ++i) {
+                const NetworkInput& input = network.inputs[i];
+                const double value = input.quantity == NetworkInput::Quantity::velocityV   ? measured.v
+                                     : input.quantity == NetworkInput::Quantity::velocityW ? measured.w
+                                                                                           : raw[i];
+                before(chain, static_cast<int>(i)) = static_cast<float>((value - input.mean) / input.scale);
+            }
+        }
+    }
+    MlpGradient(network.mlp.shape).forward(network.mlp.parameters, before, after);
+    for (const std::size_t chain : carried) {
+        const auto output = [&](int k) {
+            const NetworkOutput& of = network.outputs[static_cast<std::size_t>(k)];
+            return of.mean + of.scale * static_cast<double>(after(chain, k));
+        };
+        batch.beginWith(chain, {output(3), output(4)});
+    }
+}
+
+}  // namespace
+
 void addResidualRollouts(const MotionNetwork& network, const MotionSamples& samples, std::size_t length,
                          ResidualRollouts& rollouts) {
     const auto threeSeconds = static_cast<std::size_t>(std::llround(3 / toSeconds(samples.period)));
     const std::size_t stride = std::clamp<std::size_t>(length / 3, 1, threeSeconds);
-    const RolloutBatch batch(samples, network,
-                             chainStarts(samples, length, stride, [](const SampleRun&) { return std::size_t{0}; }),
-                             length);
+    const auto first = [&](const SampleRun& run) { return std::size_t{run.count > length}; };  // after another period
+    RolloutBatch batch(samples, network, chainStarts(samples, length, stride, first), length);
+    beginAsPredictionsDo(network, samples, batch);
     const bool ensemble = network.members.size() > 1;
     const Mlp mlp = ensemble ? withMemberOutputs(network.mlp, network.members) : network.mlp;
     const MlpGradient engine(mlp.shape);

@@ -30,7 +30,8 @@ constexpr double longestResidual = 10, shortestResidual = 1;
 std::size_t residualLength(const MotionSamples& samples);
 
 /// Adds the rollouts of `network` over samples that it was not learned from, `length` long, with starts 3 s apart or a
-/// third of the length. Each begins where the robot was measured to be (MotionSample::measured), as a prediction does.
+/// third of the length. Each begins where the robot was measured to be, and as fast (MotionSample::measured), as a
+/// prediction does.
 void addResidualRollouts(const MotionNetwork& network, const MotionSamples& samples, std::size_t length,
                          ResidualRollouts& rollouts);
 

@@ -55,6 +55,14 @@ RolloutBatch::RolloutBatch(const MotionSamples& samples, const MotionNetwork& ne
     });
 }
 
+void RolloutBatch::beginWith(std::size_t chain, const Velocity& velocity) {
+    for (const auto& [input, output] : feedback_) {
+        const NetworkInput& to = network_.inputs[static_cast<std::size_t>(input)];
+        const double value = output == velocityOutputs ? velocity.v : velocity.w;
+        inputs_.front()(chain, input) = static_cast<float>((value - to.mean) / to.scale);
+    }
+}
+
 /// The velocity that a step predicted is what the next step reads.
 void RolloutBatch::takeVelocity(const PatternMatrix& outputs, PatternMatrix& inputs) const {
     for (const auto& [input, output] : feedback_) {

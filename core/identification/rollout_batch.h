@@ -32,6 +32,9 @@ public:
     std::size_t length() const { return length_; }
     const std::vector<std::size_t>& starts() const { return starts_; }
 
+    /// Chains begin with the true velocity unless they are told another one. Form state.
+    void beginWith(std::size_t chain, const Velocity& velocity);
+
     /// Predicted increments of all chains [chains][length].
     std::vector<Pose> predict(const MlpGradient& engine, std::span<const float> parameters) const;
 

@@ -66,6 +66,10 @@ InputReader::InputReader(const MotionNetwork& network)
       robots_(network.robots),
       commands_(inputs_, Quantity::commandV, Quantity::turnSense),
       wheels_(inputs_, Quantity::leftSine, Quantity::forwardCosine),
+      limits_(network.limits),
+      oldest_(
+          std::max(commands_.size() == 0 ? 0 : commands_.oldest() + (limits_.ramps() ? ActuatorLimits::longestRamp : 0),
+                   wheels_.oldest())),
       halfTrack_(network.wheelPhase.halfTrack),
       perQuantum_(1 / network.wheelPhase.quantum),
       turnOffset_(network.turnOffset) {
@@ -91,21 +95,43 @@ int InputReader::robotIndex(const std::string& name) const {
     return found == robots_.end() ? -1 : static_cast<int>(found - robots_.begin());
 }
 
-void InputReader::collect(const MotionInput& input, Pieces& pieces) const {
+/// Returns their number.
+std::size_t InputReader::collect(const MotionInput& input, Pieces& pieces) const {
     const CommandView& history = input.commands;
-    const double oldest = std::max(commands_.oldest(), wheels_.oldest());
     std::size_t index = history.size();
     while (index > 0 && history.issueTime(index - 1) > input.start) --index;
     double* values = pieces.commands.data();
     double* end = pieces.ages.data();
     *end = 0;
-    for (double age = 0; age < oldest; --index, values += commandWidth) {
+    for (double age = 0; age < oldest_; --index, values += commandWidth) {
         const Command command = index == 0 ? history.beforeFirst() : history.command(index - 1);
-        age = index == 0 ? oldest : toSeconds(input.start - history.issueTime(index - 1));
+        age = index == 0 ? oldest_ : std::min(oldest_, toSeconds(input.start - history.issueTime(index - 1)));
         values[0] = command.v;
         values[1] = command.w;
         values[2] = turnSense(command, turnOffset_);
         *++end = age;
+    }
+    return static_cast<std::size_t>(end - pieces.ages.data());
+}
+
+/// Means of v and w, as the drive follows them.
+void InputReader::limitMeans(const Pieces& pieces, std::size_t count, double* means) const {
+    const std::span ages(pieces.ages.data(), count + 1);
+    for (const std::size_t channel : {std::size_t{0}, std::size_t{1}}) {
+        const double acceleration = channel == 0 ? limits_.accelerationV : limits_.accelerationW;
+        if (acceleration == 0) continue;
+        const RampedCommand followed(acceleration, ages, &pieces.commands[channel], commandWidth);
+        double* mean = means + channel;
+        for (const Bins::Bin& bin : commands_.bins()) {
+            *mean = followed.mean(bin.newest, bin.oldest);
+            mean += commandWidth;
+        }
+    }
+    if (limits_.wheelSpeed == 0) return;
+    for (std::size_t bin = 0; bin < commands_.size(); ++bin, means += commandWidth) {
+        const Command within = limits_.withinWheelSpeed({means[0], means[1]});
+        means[0] = within.v;
+        means[1] = within.w;
     }
 }
 
@@ -129,8 +155,9 @@ double* InputReader::wheelMeans(const Pieces& pieces, double* means) const {
 
 void InputReader::compute(const MotionInput& input, int robot, Values& values) const {
     Pieces pieces;
-    collect(input, pieces);
+    const std::size_t count = collect(input, pieces);
     double* value = commands_.means<commandWidth>(pieces, pieces.commands.data(), values.data());
+    limitMeans(pieces, count, values.data());
     value = wheelMeans(pieces, value);
     for (const NetworkInput& other : others_) {
         if (other.quantity == Quantity::velocityV) *value = input.velocity.v;

@@ -8,6 +8,7 @@
 
 #include "motion/motion_model.h"
 #include "motion/motion_network.h"
+#include "motion/ramped_command.h"
 
 namespace mrose {
 
@@ -20,7 +21,7 @@ public:
     std::size_t width() const { return inputs_.size(); }
 
     /// How far before a period's start it reads commands.
-    Nanoseconds lookBack() const { return fromSeconds(std::max(commands_.oldest(), wheels_.oldest())); }
+    Nanoseconds lookBack() const { return fromSeconds(oldest_); }
 
     /// Index of a robot by its name, -1 for one that the network was not learned from.
     int robotIndex(const std::string& name) const;
@@ -33,7 +34,7 @@ public:
 
 private:
     static constexpr std::size_t commandWidth = 3, wheelWidth = 6;  ///< quantities: commandV ..., leftSine ...
-    static constexpr std::size_t maxPieces = CommandHistory::capacity + 1;
+    static constexpr std::size_t maxPieces = RampedCommand::mostPieces;
 
     /// The history as pieces of constant command, newest first: piece i covers ages [ages[i], ages[i + 1]) seconds.
     struct Pieces {
@@ -56,11 +57,13 @@ private:
         template <std::size_t Width>
         double* means(const Pieces& pieces, const double* values, double* means) const;
 
-    private:
         struct Bin {
             double newest, oldest;  ///< s
             double perLength;       ///< 1/s
         };
+        std::span<const Bin> bins() const { return bins_; }
+
+    private:
         std::vector<Bin> bins_;  ///< by `newest`
         double oldest_ = 0;
     };
@@ -68,12 +71,15 @@ private:
     using Values = std::array<double, wheelWidth * MotionNetwork::maxInputs>;
 
     void compute(const MotionInput& input, int robot, Values& values) const;
-    void collect(const MotionInput& input, Pieces& pieces) const;
+    std::size_t collect(const MotionInput& input, Pieces& pieces) const;
+    void limitMeans(const Pieces& pieces, std::size_t count, double* means) const;
     double* wheelMeans(const Pieces& pieces, double* means) const;
 
     std::vector<NetworkInput> inputs_, others_;  ///< the others are not made from commands
     std::vector<std::string> robots_;
     Bins commands_, wheels_;
+    ActuatorLimits limits_;
+    double oldest_;                    ///< s: no command is read that was no longer in force
     std::vector<std::size_t> places_;  ///< of the inputs among the values
     std::vector<double> means_, inverseScales_;
     double halfTrack_;   ///< m

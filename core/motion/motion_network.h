@@ -10,6 +10,7 @@
 #include "geometry/tracker_offset.h"
 #include "io/error.h"
 #include "learning/learned_network.h"
+#include "motion/actuator_limits.h"
 #include "motion/kinematic.h"
 #include "motion/motion_noise.h"
 #include "world/differential_drive.h"
@@ -151,6 +152,8 @@ struct MotionNetwork {
         bool operator==(const Recovery&) const = default;
     };
     Recovery recovery;  ///< form history only
+
+    ActuatorLimits limits;  ///< commandV and commandW are read as the drive follows them
 
     std::optional<DifferentialDrive> drive;  ///< geometry fitted to logs of wheel commands
 

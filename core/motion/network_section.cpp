@@ -55,6 +55,18 @@ MotionNetwork::Identified readIdentified(TomlTable& table) {
     return i;
 }
 
+ActuatorLimits readLimits(TomlTable table) {
+    ActuatorLimits limits;
+    if (table.has("acceleration_v_mps2")) limits.accelerationV = table.number("acceleration_v_mps2", {1e-6, 1e6});
+    if (table.has("acceleration_w_radps2")) limits.accelerationW = table.number("acceleration_w_radps2", {1e-6, 1e6});
+    if (table.has("wheel_speed_mps")) {
+        limits.wheelSpeed = table.number("wheel_speed_mps", {1e-6, 1e6});
+        limits.halfTrack = table.number("half_track_m", {1e-3, 10});
+    }
+    table.rejectUnknown();
+    return limits;
+}
+
 ResidualNoise::Strength readStrength(TomlTable table) {
     ResidualNoise::Strength s;
     s.weight = table.number("weight", {0, 1e3});
@@ -150,6 +162,7 @@ void readMotionParts(TomlTable& table, MotionNetwork& network) {
         network.wheelPhase = {part.number("half_track_m", {0, 10}), part.number("quantum_mps", {1e-6, 10})};
         part.rejectUnknown();
     }
+    if (table.has("limits")) network.limits = readLimits(table.table("limits"));
     if (table.has("drive")) {
         TomlTable part = table.table("drive");
         network.drive =

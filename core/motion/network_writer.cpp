@@ -54,6 +54,18 @@ std::string heldOutErrorText(const MotionNetwork::HeldOut& h) {
            " } # open loop, of each member on what it did not learn from\n";
 }
 
+std::string limitsText(const ActuatorLimits& limits) {
+    std::string text = "\n[motion.limits] # of the drive: commands are read as it follows them\n";
+    const auto add = [&](std::string_view key, double limit) {
+        if (limit > 0) text += line(key, limit);
+    };
+    add("acceleration_v_mps2", limits.accelerationV);
+    add("acceleration_w_radps2", limits.accelerationW);
+    add("wheel_speed_mps", limits.wheelSpeed);
+    add("half_track_m", limits.halfTrack);
+    return text;
+}
+
 std::string strengthText(const ResidualNoise::Strength& s) {
     return "{ weight = " + numberText(s.weight) + ", time_s = " + numberText(s.time) + " }";
 }
@@ -119,6 +131,7 @@ std::string sectionText(const MotionNetwork& network) {
     if (network.wheelPhase.quantum > 0)
         text += "\n[motion.wheel_phase]\n" + line("half_track_m", network.wheelPhase.halfTrack) +
                 line("quantum_mps", network.wheelPhase.quantum);
+    if (network.limits != ActuatorLimits{}) text += limitsText(network.limits);
     if (network.form == MotionNetwork::Form::history)
         text += "\n[motion.recovery] # time constants with which an unexpected velocity decays\n" +
                 line("v_s", network.recovery.v) + line("w_s", network.recovery.w);

@@ -152,6 +152,7 @@ std::string trainingJson(const TrainedNetwork& trained, const std::string& file,
                    {"held_out_position_percent", n.heldOut.position},
                    {"held_out_heading_percent", n.heldOut.heading},
                    {"kept_from_learning", keptFromLearning(n.heldOut.part)},
+                   {"limits", limitsInWords(n.limits)},
                    {"noise", n.noise.has_value()},
                    {"without_noise", trained.withoutNoise},
                    {"interrupted", trained.cancelled}}

@@ -55,6 +55,7 @@ ReportContext reportContext(const MotionNetwork& network, const EvaluateRequest&
         fact("dead time", "robot " + robot.robot + ": v " + fixed(1000 * robot.v.deadTime, 0) + " ± " +
                               fixed(1000 * robot.v.deadTimeError, 0) + " ms, w " + fixed(1000 * robot.w.deadTime, 0) +
                               " ± " + fixed(1000 * robot.w.deadTimeError, 0) + " ms");
+    if (const std::string limits = limitsInWords(network.limits); !limits.empty()) fact("limits of the drive", limits);
     fact("learned by", network.training.method + ", loss " + network.training.loss + ", seed " +
                            std::to_string(network.training.seed) + ", " + std::to_string(network.training.patterns) +
                            " patterns, " + std::to_string(network.training.epochs) + " epochs");

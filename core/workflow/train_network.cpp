@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/actuator_limits_fit.h"
 #include "identification/familiar_driving.h"
 #include "identification/learn_noise.h"
 #include "identification/recipes.h"
@@ -23,12 +24,13 @@ struct Recipe {
     int chain;   ///< periods
     double velocityWeight = RolloutLoss{}.velocityWeight;
     bool linearStart = false;
+    bool limited = false;  ///< reads commands as the drive's limits let it follow them
 };
 
 const Recipe& recipeOf(NetworkRecipe recipe) {
     static const std::array<Recipe, networkRecipeNames.size()> recipes{
         {{historyBlueprint, LearningLoss::rollout, 32, 4, 1000, 300, 5, 20},
-         {stateBlueprint, LearningLoss::rollout, 32, 1, 5000, 5000, 1, 40, RolloutLoss{}.velocityWeight, true},
+         {stateBlueprint, LearningLoss::rollout, 32, 1, 5000, 5000, 1, 40, RolloutLoss{}.velocityWeight, true, true},
          {velocityBlueprint, LearningLoss::rollout, 32, 8, 1000, 300, 5, 10, 0.3},
          {paperBlueprint, LearningLoss::oneStep, 40, 1, 2000, 300, 5, 20}}};
     return recipes[static_cast<std::size_t>(recipe)];
@@ -112,7 +114,10 @@ Expected<TrainingData> trainingData(const LearningLogs& opened, const TrainReque
     data.logs = std::move(*logs);
     auto identified = identifyRobots(data.logs);
     if (!identified) return tl::unexpected(identified.error());
-    data.blueprint = recipe.blueprint(traits, robotNames(data.logs), responseTimes(*identified, request));
+    ResponseTimes times = responseTimes(*identified, request);
+    const auto blueprint = [&] { return recipe.blueprint(traits, robotNames(data.logs), times); };
+    if (recipe.limited) times.limits = identifyActuatorLimits(data.logs, blueprint());
+    data.blueprint = blueprint();
     data.blueprint.identified = std::move(*identified);
     return data;
 }

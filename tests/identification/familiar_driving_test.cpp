@@ -5,34 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include "identification/driven_log.h"
 #include "identification/recipes.h"
 #include "logs/log_reader.h"
 #include "logs/pose_grid.h"
 #include "motion/driving_reader.h"
 #include "support/test_data.h"
 #include "support/units.h"
-#include "synthetic/log_generator.h"
 
 namespace mrose {
 namespace {
-
-/// The reference robot, driven at random, but turning no faster than `fastest` rad/s.
-Log drivenWithin(double fastest, int trajectories, std::uint64_t seed) {
-    Log log;
-    log.robots.push_back({"reference", {}, {}});
-    for (int t = 0; t < trajectories; ++t) {
-        constexpr double duration = 30;
-        Trajectory trajectory;
-        trajectory.name = std::to_string(t);
-        trajectory.group = t;
-        trajectory.commands = patternCommands(DrivePattern::random, duration, seed, std::uint32_t(t));
-        for (StampedCommand& issued : trajectory.commands)
-            issued.command.w = std::clamp(issued.command.w, -fastest, fastest);
-        trajectory.poses = runReferenceRobot(trajectory.commands, duration, {}, seed + std::uint64_t(t)).tracked;
-        log.robots.front().trajectories.push_back(std::move(trajectory));
-    }
-    return log;
-}
 
 MotionNetwork blueprintOf(MotionNetwork::Form form) {
     const ResponseTimes times{0.32, 0.2, 0.32, 0.1, 0.2, 0.1};

@@ -7,6 +7,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include "identification/driven_log.h"
 #include "identification/recipes.h"
 #include "learning/initial_weights.h"
 #include "motion/kinematic.h"
@@ -16,40 +17,6 @@
 
 namespace mrose {
 namespace {
-
-/// A robot that follows `model` exactly, driven by random commands; poses every 20 ms.
-Log drivenLog(const MotionModel& model, int trajectories, double seconds, std::uint64_t seed) {
-    Log log;
-    log.source = "planted";
-    RobotLog robot{"1", {}, {}};
-    for (int t = 0; t < trajectories; ++t) {
-        Trajectory trajectory;
-        trajectory.name = std::to_string(t);
-        trajectory.group = t;
-        CommandHistory history;
-        Pose pose;
-        Velocity velocity;
-        Command command;
-        for (std::int64_t tick = 0; tick < static_cast<std::int64_t>(seconds * 50); ++tick) {
-            const Nanoseconds time = tick * 20 * ms;
-            if (tick % 5 == 0) {
-                const NoiseKey key{seed, tick, static_cast<std::uint32_t>(t), 0};
-                if (uniformNoise(key) < 0.15)
-                    command = {0.5 * uniformNoise({seed, tick, key.robot, 1}),
-                               0.8 * normalNoise({seed, tick, key.robot, 2})};
-                history.issue(time, command);
-                trajectory.commands.push_back({time, command});
-            }
-            trajectory.poses.push_back({time, pose});
-            const MotionStep step = model.predictOne({&history, time, velocity});
-            pose = pose * step.increment;
-            velocity = step.velocity;
-        }
-        robot.trajectories.push_back(std::move(trajectory));
-    }
-    log.robots.push_back(std::move(robot));
-    return log;
-}
 
 KinematicParameters laggedRobot() {
     KinematicParameters p;
@@ -300,10 +267,16 @@ TEST(MotionSamples, TrackerOffsetIsFoundAndRemoved) {
         EXPECT_NEAR(samples.samples[i].increment.y, body.samples[i].increment.y, 3e-4);
 }
 
+MotionNetwork limited(const RobotTraits& traits, std::vector<std::string> robots, const ResponseTimes& response) {
+    ResponseTimes known = response;
+    known.limits = {0.5, 4, 0.45, 0.17};
+    return stateBlueprint(traits, std::move(robots), known);
+}
+
 /// However far a model reads back; the velocity model reads farther than a second.
 TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
     const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
-    for (const auto blueprint : {&historyBlueprint, &stateBlueprint, &velocityBlueprint, &paperBlueprint}) {
+    for (const auto blueprint : {&historyBlueprint, &stateBlueprint, &velocityBlueprint, &paperBlueprint, &limited}) {
         const MotionNetwork network = blueprint(RobotTraits{"test", {}, 0, false}, {"1"}, times);
         SampleOptions options;
         options.block = 20;
@@ -328,8 +301,10 @@ TEST(MotionSamples, HistoryOfAPatternNeverReachesIntoAnotherFold) {
 
 TEST(MotionSamples, ABlockLosesASecondOrWhatThePatternsReadBack) {
     const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, 200, 5)};
-    for (const auto& [blueprint, lost] :
-         {std::pair{&stateBlueprint, 1.0 + 0.1}, {&historyBlueprint, 1.2 + 0.1}, {&velocityBlueprint, 1.4 + 0.1}}) {
+    for (const auto& [blueprint, lost] : {std::pair{&stateBlueprint, 1.0 + 0.1},
+                                          {&historyBlueprint, 1.2 + 0.1},
+                                          {&velocityBlueprint, 1.4 + 0.1},
+                                          {&limited, 0.3 + 2.4 + 0.1}}) {
         SampleOptions options;
         options.block = 20;
         options.phases = 1;

@@ -5,7 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "world/noise.h"
+#include "assessment/windows.h"
+#include "identification/driven_log.h"
+#include "identification/network_trainer.h"
+#include "identification/recipes.h"
+#include "motion/kinematic.h"
+#include "motion/learned_model.h"
 
 namespace mrose {
 namespace {
@@ -116,6 +121,57 @@ TEST(ResidualNoiseFit, ItsRolloutsAreAsLongAsTheRunsAllow) {
     EXPECT_EQ(residualLength(runsOf({9, 9})), 0u) << "shorter than 1 s";
     EXPECT_EQ(residualLength(runsOf({50, 50})), 0u) << "too few";
     EXPECT_EQ(residualLength(runsOf({})), 0u);
+}
+
+/// So that what is uncertain about the start counts as noise, too.
+TEST(ResidualNoiseFit, ItsRolloutsBeginAsPredictionsDo) {
+    const KinematicParameters lagged{{0.12, 0.2, 0.9, 0, 0, 0}, {0.12, 0.2, 0.95, 0, 0, 0}, 0};
+    const std::vector<Log> logs{drivenLog(KinematicModel(lagged, 20 * ms), 8, 30, 11)};
+    const MotionNetwork blueprint =
+        stateBlueprint(RobotTraits{"test", {}, 0, false}, {"1"}, {0.12, 0.2, 0.12, 0.2, 0.2, 0.2, {}});
+    SampleOptions sampling;
+    sampling.phases = sampling.folds = 1;
+    sampling.measuredStarts = true;
+    const auto samples = motionSamples(logs, blueprint, sampling);
+    ASSERT_TRUE(samples);
+    SampleOptions parts = sampling;
+    parts.folds = 2;
+    NetworkTrainerOptions options;
+    options.members = 1;
+    options.epochs = 20;
+    options.linearStart = true;
+    const auto trained = trainNetwork(blueprint, *motionSamples(logs, blueprint, parts), options);
+    ASSERT_TRUE(trained) << trained.error().message();
+
+    constexpr std::size_t length = 20;
+    ResidualRollouts rollouts;
+    addResidualRollouts(trained->network, *samples, length, rollouts);
+    std::vector<RolloutStart> starts;
+    for (const SampleRun& run : samples->runs)
+        for (std::size_t i = 1; i + length <= run.count; i += length / 3) {
+            const MotionSample& sample = samples->samples[run.first + i];
+            const auto number = static_cast<std::size_t>(&run - samples->runs.data());  // a run for each trajectory
+            const auto start =
+                measureStart(logs[0].robots[0].trajectories[number], sample.start, static_cast<int>(length));
+            ASSERT_TRUE(start);
+            starts.push_back(*start);
+        }
+    ASSERT_EQ(rollouts.count(), starts.size());
+    const LearnedModel model(std::make_shared<const LearnedMotion>(trained->network), "1");
+    const auto poses = rollOut(model, starts);
+    ASSERT_TRUE(poses);
+    double fastest = 0;
+    for (std::size_t r = 0; r < starts.size(); ++r) {
+        Pose pose = starts[r].pose;
+        for (std::size_t k = 0; k < length; ++k) {
+            pose = pose * rollouts.mean[r * length + k];
+            EXPECT_NEAR(pose.x, (*poses)[r][k].x, 2e-5);
+            EXPECT_NEAR(pose.y, (*poses)[r][k].y, 2e-5);
+            EXPECT_NEAR(pose.heading, (*poses)[r][k].heading, 2e-5);
+        }
+        fastest = std::max(fastest, std::abs(starts[r].velocity->velocity.v));
+    }
+    EXPECT_GT(fastest, 0.2);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "motion/input_reader.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -113,6 +114,63 @@ TEST(InputReader, CommandPushedOutLastHoldsForeverOnceTheHistoryIsFull) {
     EXPECT_NEAR(readOne(Quantity::commandV, 0.2, 0.3, history, last * ms), before, 1e-15);
     const Command mean = history.mean((last - 200) * ms, last * ms);
     EXPECT_NEAR(readOne(Quantity::commandV, 0, 0.2, history, last * ms), mean.v, 1e-14);
+}
+
+TEST(InputReader, ReadsCommandsAsTheDriveFollowsThem) {
+    MotionNetwork network = readingNothing();
+    network.inputs = {inputOf(Quantity::commandV, 0.1, 0.3), inputOf(Quantity::commandW, 0.1, 0.3),
+                      inputOf(Quantity::turnSense, 0.1, 0.3)};
+    EXPECT_EQ(InputReader(network).lookBack(), 300 * ms);
+    CommandHistory history;
+    history.issue(0, {0.2, 0.5});
+    history.issue(800 * ms, {0.4, -1});
+    const auto read = [&] {
+        std::array<double, 3> row{};
+        InputReader(network).readRaw({&history, 1000 * ms, velocity}, 0, row.data());
+        return row;
+    };
+    const auto jumping = read();
+    network.limits.accelerationV = 1;
+    EXPECT_EQ(InputReader(network).lookBack(), 2700 * ms);  // where a ramp began that may still last
+    const auto ramped = read();
+    EXPECT_NEAR(ramped[0], (0.1 * 0.2 + 0.1 * 0.25) / 0.2, 1e-14);
+    EXPECT_EQ(ramped[1], jumping[1]);
+    EXPECT_EQ(ramped[2], jumping[2]);
+    network.limits = {0, 15, 0, 0};
+    EXPECT_EQ(read()[0], jumping[0]);
+    EXPECT_NEAR(read()[1], (0.1 * 0.5 - 0.1 * 0.25) / 0.2, 1e-14);
+    network.limits = {0, 0, 0.25, 0.1};
+    const Command within = network.limits.withinWheelSpeed({jumping[0], jumping[1]});
+    EXPECT_EQ(read()[0], within.v);
+    EXPECT_EQ(read()[1], within.w);
+    EXPECT_NE(read()[0], jumping[0]);
+    network.limits = {1, 15, 0.23, 0.1};  // cut is what the ramps have come to
+    const double w = (0.1 * 0.5 - 0.1 * 0.25) / 0.2;
+    EXPECT_EQ(read()[0], network.limits.withinWheelSpeed({ramped[0], w}).v);
+    EXPECT_NE(read()[0], ramped[0]);
+}
+
+/// Worlds keep fewer commands than rollouts of logs do.
+TEST(InputReader, WhatWasReachedLongAgoDoesNotMatterToTheLastBit) {
+    MotionNetwork network = readingNothing();
+    network.inputs = {inputOf(Quantity::commandV, 0.1, 0.3), inputOf(Quantity::commandW, 0.1, 0.3)};
+    network.limits = {0.7, 1.3, 0.4, 0.17};
+    const auto read = [&](const CommandHistory& history) {
+        std::array<double, 2> row{};
+        InputReader(network).readRaw({&history, 10'000 * ms, velocity}, 0, row.data());
+        return row;
+    };
+    CommandHistory longAgo, justBefore, crowded;
+    longAgo.issue(0, {0.3, 0.9});
+    justBefore.issue(7'299 * ms, {0.3, 0.9});
+    for (int i = 0; i < 200; ++i) crowded.issue(i * ms, {0.001 * i, 0});
+    crowded.issue(7'000 * ms, {0.3, 0.9});
+    for (CommandHistory* history : {&longAgo, &justBefore, &crowded}) history->issue(9'500 * ms, {-0.2, 0.1});
+    EXPECT_EQ(read(longAgo), read(justBefore));
+    EXPECT_EQ(read(longAgo), read(crowded));
+    EXPECT_EQ(read(CommandHistory()), (std::array<double, 2>{}));
+    for (int i = 0; i < 200; ++i) crowded.issue((9'800 + i) * ms, {0.1, 0.1});
+    EXPECT_NE(read(crowded), read(longAgo));
 }
 
 TEST(InputReader, ManyInputsInAnyOrderReadLikeEachAlone) {

@@ -31,6 +31,16 @@ TEST(NetworkFile, ReadsBackEveryBitOfBothForms) {
     }
 }
 
+TEST(NetworkFile, KeepsAnyOfTheLimitsOfADrive) {
+    for (const ActuatorLimits& limits : {ActuatorLimits{0.5, 0, 0, 0}, {0, 5, 0, 0}, {0, 0, 0.5, 0.2}, {}}) {
+        MotionNetwork network = arbitraryNetwork(Form::state);
+        network.limits = limits;
+        const auto read = parseNetwork(networkText(network), "n.net");
+        ASSERT_TRUE(read) << read.error().message();
+        EXPECT_EQ(read->limits, limits);
+    }
+}
+
 TEST(NetworkFile, KeepsTheMembersOfAnEnsemble) {
     MotionNetwork network = arbitraryNetwork(Form::history);
     std::vector<float>& p = network.mlp.parameters;
@@ -99,6 +109,15 @@ TEST(NetworkFile, NamesFileLineAndKeyOfWhatDoesNotFit) {
                 testing::HasSubstr("motion.wheel_phase.quantum_mps"));
     EXPECT_THAT(errorAfter("[motion.wheel_phase]\nhalf_track_m = 0.13\nquantum_mps = 0.0084\n", ""),
                 testing::HasSubstr("motion.wheel_phase: is missing; an input needs it"));
+    const auto limits = [](const std::string& from, const std::string& to) {
+        return errorAfter(from, to, Form::state);
+    };
+    EXPECT_THAT(limits("acceleration_v_mps2 = 0.55", "acceleration_v_mps2 = -0.55"),
+                testing::HasSubstr("motion.limits.acceleration_v_mps2"));
+    EXPECT_THAT(limits("wheel_speed_mps = 0.5", "wheel_speed_mps = 0"),
+                testing::HasSubstr("motion.limits.wheel_speed_mps"));
+    EXPECT_THAT(limits("half_track_m = 0.165\n", ""), testing::HasSubstr("motion.limits.half_track_m: is missing"));
+    EXPECT_THAT(limits("[motion.limits]", "[motion.limits]\njerk = 1"), testing::HasSubstr("motion.limits.jerk"));
     EXPECT_THAT(errorAfter("held_out_error = {", "held_in_error = {"), testing::HasSubstr("motion.held_in_error"));
 }
 
