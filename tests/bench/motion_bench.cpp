@@ -73,6 +73,7 @@ void kinematics(benchmark::State& state) {
 BENCHMARK_CAPTURE(network, history_create, "create.net")->Arg(1)->Arg(robots);
 BENCHMARK_CAPTURE(network, history_create_sampled, "create.net", MotionDraw::noisy)->Arg(1)->Arg(robots);
 BENCHMARK_CAPTURE(network, papers_create, "create_paper.net")->Arg(1)->Arg(robots);
+BENCHMARK_CAPTURE(network, state_pioneer, "pioneer.net")->Arg(1)->Arg(robots);
 BENCHMARK(kinematics)->Arg(1)->Arg(robots);
 
 }  // namespace
