@@ -120,7 +120,7 @@ void InputReader::limitMeans(const Pieces& pieces, std::size_t count, double* me
     for (const std::size_t channel : {std::size_t{0}, std::size_t{1}}) {
         const double acceleration = channel == 0 ? limits_.accelerationV : limits_.accelerationW;
         if (acceleration == 0) continue;
-        const RampedCommand followed(acceleration, ages, &pieces.commands[channel], commandWidth);
+        RampedCommand followed(acceleration, ages, &pieces.commands[channel], commandWidth, commands_.oldest());
         double* mean = means + channel;
         for (const Bins::Bin& bin : commands_.bins()) {
             *mean = followed.mean(bin.newest, bin.oldest);

@@ -20,12 +20,15 @@ struct Commands {
         while (piece + 1 < values.size() && ages[piece + 1] <= age) ++piece;
         return values[piece];
     }
-    RampedCommand ramped(double acceleration) const { return {acceleration, ages, values.data(), 1}; }
+    RampedCommand ramped(double acceleration) const { return ramped(acceleration, ages.back()); }
+    RampedCommand ramped(double acceleration, double oldest) const {
+        return {acceleration, ages, values.data(), 1, oldest};
+    }
 };
 
 TEST(RampedCommand, GoesEvenlyToWhereTheCommandJumps) {
     const Commands jump{{0, 0.5, 2}, {1, 0}};
-    const RampedCommand followed = jump.ramped(4);  // there 0.25 s later, 0.25 s ago
+    RampedCommand followed = jump.ramped(4);  // there 0.25 s later, 0.25 s ago
     EXPECT_DOUBLE_EQ(followed.mean(0, 0.25), 1);
     EXPECT_DOUBLE_EQ(followed.mean(0.25, 0.5), 0.5);
     EXPECT_DOUBLE_EQ(followed.mean(0.375, 0.5), 0.25);
@@ -36,7 +39,7 @@ TEST(RampedCommand, GoesEvenlyToWhereTheCommandJumps) {
 
 TEST(RampedCommand, TurnsBackOnItsWay) {
     const Commands there{{0, 0.3, 0.5, 1}, {-1, 1, 0}};
-    const RampedCommand followed = there.ramped(2);  // 0.4 where it turns back, -0.2 now
+    RampedCommand followed = there.ramped(2);  // 0.4 where it turns back, -0.2 now
     EXPECT_NEAR(followed.mean(0.3, 0.5), 0.2, 1e-15);
     EXPECT_NEAR(followed.mean(0.1, 0.3), 0.2, 1e-15);
     EXPECT_NEAR(followed.mean(0, 0.1), -0.1, 1e-15);
@@ -57,7 +60,12 @@ TEST(RampedCommand, IsWhatSmallStepsMakeOfRandomCommands) {
             value += std::clamp(commands.at(age) - value, -acceleration * step, acceleration * step);
             if (age < oldest) sum += step * value;
         }
-        EXPECT_NEAR(commands.ramped(acceleration).mean(newest, oldest), sum / (oldest - newest), 5e-4) << seed;
+        RampedCommand followed = commands.ramped(acceleration, oldest);
+        const double mean = followed.mean(newest, oldest);
+        EXPECT_NEAR(mean, sum / (oldest - newest), 5e-4) << seed;
+        // In whatever order parts are asked for.
+        const double middle = 0.5 * (newest + oldest), older = followed.mean(middle, oldest);
+        EXPECT_NEAR(0.5 * (followed.mean(newest, middle) + older), mean, 1e-12) << seed;
     }
 }
 
