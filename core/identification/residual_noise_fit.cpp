@@ -349,7 +349,8 @@ std::size_t residualLength(const MotionSamples& samples) {
 
 namespace {
 
-/// Predictions begin with a velocity that was measured up to a period before, and that the network carries on.
+/// Predictions begin with a velocity that was measured now or a period before, and that the network carries on then;
+/// one that is older is left the true one.
 void beginAsPredictionsDo(const MotionNetwork& network, const MotionSamples& samples, RolloutBatch& batch) {
     if (network.form != MotionNetwork::Form::state) return;
     PatternMatrix before(batch.chains(), static_cast<int>(samples.width)), after;
@@ -358,9 +359,11 @@ void beginAsPredictionsDo(const MotionNetwork& network, const MotionSamples& sam
         const std::size_t start = batch.starts()[chain];
         const MotionSample& sample = samples.samples[start];
         const Velocity& measured = sample.measuredVelocity.velocity;
-        if (2 * (sample.start - sample.measuredVelocity.time) < samples.period) {
+        const Nanoseconds age = sample.start - sample.measuredVelocity.time;
+        if (2 * age < samples.period) {
             batch.beginWith(chain, measured);
-        } else if (start > 0 && samples.samples[start - 1].start == sample.start - samples.period) {
+        } else if (2 * age < 3 * samples.period && start > 0 &&
+                   samples.samples[start - 1].start == sample.start - samples.period) {
             carried.push_back(chain);
             const auto raw = samples.inputsOf(start - 1);
             for (std::size_t i = 0; i < raw.size(); ++i) {

@@ -128,6 +128,19 @@ Printed choiceJson(const VariantChoice& choice) {
     return json;
 }
 
+/// Those that there are.
+Printed limitsJson(const ActuatorLimits& limits) {
+    Printed json = Printed::object();
+    const auto add = [&](const char* key, double limit) {
+        if (limit > 0) json[key] = limit;
+    };
+    add("acceleration_v_mps2", limits.accelerationV);
+    add("acceleration_w_radps2", limits.accelerationW);
+    add("wheel_speed_mps", limits.wheelSpeed);
+    add("half_track_m", limits.halfTrack);
+    return json;
+}
+
 }  // namespace
 
 std::string inspectionJson(const LogInspection& inspection) {
@@ -152,7 +165,7 @@ std::string trainingJson(const TrainedNetwork& trained, const std::string& file,
                    {"held_out_position_percent", n.heldOut.position},
                    {"held_out_heading_percent", n.heldOut.heading},
                    {"kept_from_learning", keptFromLearning(n.heldOut.part)},
-                   {"limits", limitsInWords(n.limits)},
+                   {"limits", limitsJson(n.limits)},
                    {"noise", n.noise.has_value()},
                    {"without_noise", trained.withoutNoise},
                    {"interrupted", trained.cancelled}}

@@ -74,7 +74,7 @@ TEST(ActuatorLimitsFit, FindsHowFastAWheelTurns) {
 
 /// Which is of another class: its loops overshoot, its wheels slip, and its commands are late each by its own time.
 TEST(ActuatorLimitsFit, FindsThoseOfTheReferenceRobot) {
-    const Log log = drivenWithin(10, 60, 5);
+    const Log log = drivenReference(10, 60, 5);
     const ResponseTimes times{0.37, 0.44, 0.39, 0.04, 0.44, 0.04, {}};
     const ActuatorLimits limits =
         identifyActuatorLimits({&log, 1}, stateBlueprint(RobotTraits(), {"reference"}, times));

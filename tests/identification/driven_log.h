@@ -47,7 +47,7 @@ inline Log drivenLog(const MotionModel& model, int trajectories, double seconds,
 }
 
 /// The reference robot, driven at random, but turning no faster than `fastest` rad/s.
-inline Log drivenWithin(double fastest, int trajectories, std::uint64_t seed) {
+inline Log drivenReference(double fastest, int trajectories, std::uint64_t seed) {
     Log log;
     log.robots.push_back({"reference", {}, {}});
     for (int t = 0; t < trajectories; ++t) {

@@ -65,16 +65,16 @@ class Familiar : public testing::TestWithParam<MotionNetwork::Form> {};
 
 TEST_P(Familiar, WithoutFastTurnsMarksFastTurnsAndLittleElse) {
     constexpr double fastest = 0.6;
-    const std::vector<Log> logs{drivenWithin(fastest, 24, 1)};
+    const std::vector<Log> logs{drivenReference(fastest, 24, 1)};
     const auto familiar = familiarDriving(logs, blueprintOf(GetParam()), onePhase());
     ASSERT_TRUE(familiar);
     EXPECT_GT(familiar->periods, 5000);
     const DrivingReader reader(GetParam(), *familiar);
     const auto all = [](const Command&) { return true; };
-    const Marked alike = marked(drivenWithin(fastest, 24, 1000), reader, all);
+    const Marked alike = marked(drivenReference(fastest, 24, 1000), reader, all);
     EXPECT_GT(alike.periods, 5000u);
     EXPECT_LT(alike.share(), 0.003);
-    const Log wild = drivenWithin(2, 60, 2000);
+    const Log wild = drivenReference(2, 60, 2000);
     const Marked fast = marked(wild, reader, [](const Command& c) { return std::abs(c.w) > 1.5 * fastest; });
     EXPECT_GT(fast.periods, 500u);
     EXPECT_GT(fast.share(), 0.96);
@@ -84,7 +84,7 @@ TEST_P(Familiar, WithoutFastTurnsMarksFastTurnsAndLittleElse) {
 }
 
 TEST_P(Familiar, MarksCommandsThatGoBackAndForthFasterThanAnyThatWereLearnedFrom) {
-    const std::vector<Log> logs{drivenWithin(0.6, 12, 1)};
+    const std::vector<Log> logs{drivenReference(0.6, 12, 1)};
     const auto familiar = familiarDriving(logs, blueprintOf(GetParam()), onePhase());
     ASSERT_TRUE(familiar);
     const DrivingReader reader(GetParam(), *familiar);
@@ -98,7 +98,7 @@ TEST_P(Familiar, MarksCommandsThatGoBackAndForthFasterThanAnyThatWereLearnedFrom
 }
 
 TEST_P(Familiar, HeldOutPeriodsExceedTheDistancesAsOftenAsTheyAreSaidTo) {
-    const Log log = drivenWithin(1, 24, 5);
+    const Log log = drivenReference(1, 24, 5);
     const auto familiar = familiarDriving({&log, 1}, blueprintOf(GetParam()), onePhase());
     ASSERT_TRUE(familiar);
     EXPECT_LE(familiar->prototypes.size(), FamiliarDriving::mostPrototypes);
@@ -149,7 +149,7 @@ TEST(FamiliarDriving, ReadsOlderAndNewerCommandsAndHowFarTheyGoBackAndForth) {
 }
 
 TEST(FamiliarDriving, NothingIsSaidWhereNothingCanBeHeldOut) {
-    const Log log = drivenWithin(1, 1, 5);
+    const Log log = drivenReference(1, 1, 5);
     EXPECT_FALSE(familiarDriving({&log, 1}, blueprintOf(MotionNetwork::Form::state), onePhase()));
 }
 
