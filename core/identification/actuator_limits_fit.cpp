@@ -101,10 +101,18 @@ Pair largestCommands(std::span<const Log> logs) {
     return largest;
 }
 
+/// s: from the largest command to its opposite.
+double longestRamp(const ActuatorLimits& limits, const Pair& largest) {
+    double longest = 0;
+    if (limits.accelerationV > 0) longest = std::max(longest, 2 * largest[0] / limits.accelerationV);
+    if (limits.accelerationW > 0) longest = std::max(longest, 2 * largest[1] / limits.accelerationW);
+    return longest == 0 ? ActuatorLimits::mostRamp : std::min(longest, ActuatorLimits::mostRamp);
+}
+
 /// Each channel by itself, by how long the drive takes from standstill to the largest command.
 void findAccelerations(std::span<const Log> logs, const MotionNetwork& blueprint, const Pair& largest,
                        ActuatorLimits& limits) {
-    constexpr double instant = 1e-6, quickest = 0.05, longest = ActuatorLimits::longestRamp;  // s
+    constexpr double instant = 1e-6, quickest = 0.05, longest = ActuatorLimits::mostRamp;  // s
     struct Trial {
         Pair duration{};  ///< s
         Pair unexplained{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -205,6 +213,7 @@ ActuatorLimits identifyActuatorLimits(std::span<const Log> logs, const MotionNet
     if (largest[0] == 0 || largest[1] == 0) return limits;
     findAccelerations(logs, blueprint, largest, limits);
     if (readSameParts(blueprint)) findWheelSpeed(logs, blueprint, limits);
+    limits.longestRamp = longestRamp(limits, largest);
     return limits;
 }
 

@@ -44,8 +44,8 @@ public:
           reader_(reader),
           options_(options),
           out_(out),
-          fine_(poseGrid(trajectory, options.period / options.phases, marginsOf(trajectory, reader.lookBack()))),
-          guard_(std::max(leastGuard, reader.lookBack() + options.period)) {}
+          fine_(poseGrid(trajectory, options.period / options.phases, marginsOf(trajectory, reader.lookBackAtFirst()))),
+          guard_(std::max(leastGuard, reader.lookBackAtFirst() + options.period)) {}
 
     void read() {
         for (int phase = 0; phase < options_.phases; ++phase) readPhase(phase);
@@ -91,7 +91,7 @@ private:
 
     void markReaches(Nanoseconds start, SampleRun& run) const {
         for (const Past& past : pasts_) {
-            if (past.fold == run.fold || past.end <= start - reader_.lookBack()) continue;
+            if (past.fold == run.fold || past.end <= start - reader_.lookBackAtFirst()) continue;
             auto reach = std::find_if(run.reaches.begin(), run.reaches.end(),
                                       [&](const SampleRun::Reach& r) { return r.fold == past.fold; });
             if (reach == run.reaches.end()) reach = run.reaches.insert(reach, {past.fold, 0});

@@ -69,7 +69,7 @@ private:
     const LearnedMotion* motion_;
     Period now_;
     Pose pose_;
-    std::array<std::byte, sizeof(LearnedMotion::Memory)> memory_{};
+    alignas(LearnedMotion::Memory) std::array<std::byte, LearnedMotion::largestOfMean> memory_{};
 };
 
 /// How much the members disagree on a period's increment: the root of the summed squares of the spreads forward, left

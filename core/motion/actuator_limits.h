@@ -15,8 +15,8 @@ struct ActuatorLimits {
     double wheelSpeed = 0;                        ///< m/s
     double halfTrack = 0;                         ///< m, where wheels have a limit
 
-    /// s: a command that is older than what is read by this much is taken to have been reached.
-    static constexpr double longestRamp = 2.4;
+    static constexpr double mostRamp = 2.4;  ///< s: ramps that last longer are not known
+    double longestRamp = mostRamp;           ///< s, where there are accelerations: from a command to its opposite
     bool ramps() const { return accelerationV > 0 || accelerationW > 0; }
 
     Command withinWheelSpeed(const Command& command) const {

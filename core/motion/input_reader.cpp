@@ -10,6 +10,9 @@ namespace {
 
 using Quantity = NetworkInput::Quantity;
 
+/// s: what is followed is taken to have been what was commanded so long before anything that is read.
+constexpr double longForgotten = 2 * ActuatorLimits::mostRamp;
+
 double turnSense(const Command& command, double offset) {
     const bool straight = command.w == 0 && !std::signbit(command.w);
     if (command.v <= 0 || straight) return 0;
@@ -67,12 +70,13 @@ InputReader::InputReader(const MotionNetwork& network)
       commands_(inputs_, Quantity::commandV, Quantity::turnSense),
       wheels_(inputs_, Quantity::leftSine, Quantity::forwardCosine),
       limits_(network.limits),
-      oldest_(
-          std::max(commands_.size() == 0 ? 0 : commands_.oldest() + (limits_.ramps() ? ActuatorLimits::longestRamp : 0),
-                   wheels_.oldest())),
+      period_(toSeconds(network.period)),
+      oldest_(std::max({commands_.oldest(), wheels_.oldest(), ramps() ? period_ : 0})),
       halfTrack_(network.wheelPhase.halfTrack),
       perQuantum_(1 / network.wheelPhase.quantum),
-      turnOffset_(network.turnOffset) {
+      turnOffset_(network.turnOffset),
+      readsTurnSense_(std::ranges::any_of(
+          inputs_, [](const NetworkInput& input) { return input.quantity == Quantity::turnSense; })) {
     const std::size_t wheels = commandWidth * commands_.size();
     std::size_t others = wheels + wheelWidth * wheels_.size();
     for (const NetworkInput& input : inputs_) {
@@ -95,39 +99,41 @@ int InputReader::robotIndex(const std::string& name) const {
     return found == robots_.end() ? -1 : static_cast<int>(found - robots_.begin());
 }
 
-/// Returns their number.
-std::size_t InputReader::collect(const MotionInput& input, Pieces& pieces) const {
+/// Returns their number. Nothing is read that was no longer in force `oldest` s ago.
+std::size_t InputReader::collect(const MotionInput& input, double oldest, Pieces& pieces) const {
     const CommandView& history = input.commands;
     std::size_t index = history.size();
     while (index > 0 && history.issueTime(index - 1) > input.start) --index;
     double* values = pieces.commands.data();
     double* end = pieces.ages.data();
     *end = 0;
-    for (double age = 0; age < oldest_; --index, values += commandWidth) {
+    for (double age = 0; age < oldest; --index, values += commandWidth) {
         const Command command = index == 0 ? history.beforeFirst() : history.command(index - 1);
-        age = index == 0 ? oldest_ : std::min(oldest_, toSeconds(input.start - history.issueTime(index - 1)));
+        age = index == 0 ? oldest : std::min(oldest, toSeconds(input.start - history.issueTime(index - 1)));
         values[0] = command.v;
         values[1] = command.w;
-        values[2] = turnSense(command, turnOffset_);
+        values[2] = readsTurnSense_ ? turnSense(command, turnOffset_) : 0;
         *++end = age;
     }
     return static_cast<std::size_t>(end - pieces.ages.data());
 }
 
 /// Means of v and w, as the drive follows them.
-void InputReader::limitMeans(const Pieces& pieces, std::size_t count, double* means) const {
-    const std::span ages(pieces.ages.data(), count + 1);
-    for (const std::size_t channel : {std::size_t{0}, std::size_t{1}}) {
-        const double acceleration = channel == 0 ? limits_.accelerationV : limits_.accelerationW;
-        if (acceleration == 0) continue;
-        RampedCommand followed(acceleration, ages, &pieces.commands[channel], commandWidth, commands_.oldest());
-        double* mean = means + channel;
-        for (const Bins::Bin& bin : commands_.bins()) {
-            *mean = followed.mean(bin.newest, bin.oldest);
-            mean += commandWidth;
-        }
+void InputReader::rampMeans(const Pieces& pieces, std::size_t count, Followed* followed, double* means) const {
+    const double* const oldest = &pieces.commands[(count - 1) * commandWidth];
+    const Command begun = followed != nullptr && followed->known ? followed->command : Command{oldest[0], oldest[1]};
+    RampedCommand ramped(limits_, std::span(pieces.ages.data(), count + 1), pieces.commands.data(), commandWidth,
+                         begun);
+    for (const Bins::Bin& bin : commands_.bins()) {
+        const Command mean = ramped.mean(bin.newest, bin.oldest);
+        if (limits_.accelerationV > 0) means[0] = mean.v;
+        if (limits_.accelerationW > 0) means[1] = mean.w;
+        means += commandWidth;
     }
-    if (limits_.wheelSpeed == 0) return;
+    if (followed != nullptr) *followed = {ramped.at(oldest_ - period_), true};
+}
+
+void InputReader::limitWheels(double* means) const {
     for (std::size_t bin = 0; bin < commands_.size(); ++bin, means += commandWidth) {
         const Command within = limits_.withinWheelSpeed({means[0], means[1]});
         means[0] = within.v;
@@ -153,11 +159,13 @@ double* InputReader::wheelMeans(const Pieces& pieces, double* means) const {
     return wheels_.means<wheelWidth>(pieces, phases.data(), means);
 }
 
-void InputReader::compute(const MotionInput& input, int robot, Values& values) const {
+void InputReader::compute(const MotionInput& input, int robot, Followed* followed, Values& values) const {
     Pieces pieces;
-    const std::size_t count = collect(input, pieces);
+    const bool known = !ramps() || (followed != nullptr && followed->known);
+    const std::size_t count = collect(input, known ? oldest_ : oldest_ + longForgotten, pieces);
     double* value = commands_.means<commandWidth>(pieces, pieces.commands.data(), values.data());
-    limitMeans(pieces, count, values.data());
+    if (ramps()) rampMeans(pieces, count, followed, values.data());
+    if (limits_.wheelSpeed > 0) limitWheels(values.data());
     value = wheelMeans(pieces, value);
     for (const NetworkInput& other : others_) {
         if (other.quantity == Quantity::velocityV) *value = input.velocity.v;
@@ -170,13 +178,13 @@ void InputReader::compute(const MotionInput& input, int robot, Values& values) c
 
 void InputReader::readRaw(const MotionInput& input, int robot, double* row) const {
     Values values;
-    compute(input, robot, values);
+    compute(input, robot, nullptr, values);
     for (std::size_t i = 0; i < places_.size(); ++i) row[i] = values[places_[i]];
 }
 
-void InputReader::read(const MotionInput& input, int robot, float* row) const {
+void InputReader::read(const MotionInput& input, int robot, float* row, Followed* followed) const {
     Values values;
-    compute(input, robot, values);
+    compute(input, robot, followed, values);
     for (std::size_t i = 0; i < places_.size(); ++i)
         row[i] = static_cast<float>((values[places_[i]] - means_[i]) * inverseScales_[i]);
 }

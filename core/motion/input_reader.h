@@ -20,14 +20,25 @@ public:
 
     std::size_t width() const { return inputs_.size(); }
 
-    /// How far before a period's start it reads commands.
+    /// What a drive of limited acceleration follows lookBack() before a period's start.
+    struct Followed {
+        Command command;
+        bool known = false;
+    };
+    bool ramps() const { return limits_.ramps() && commands_.size() > 0; }
+
+    /// How far before a period's start it reads commands where what is followed there is known.
     Nanoseconds lookBack() const { return fromSeconds(oldest_); }
+    /// How far it must know them where that is not known. What is followed is then told from all the commands there
+    /// are, up to a few seconds.
+    Nanoseconds lookBackAtFirst() const { return fromSeconds(oldest_ + (ramps() ? limits_.longestRamp : 0)); }
 
     /// Index of a robot by its name, -1 for one that the network was not learned from.
     int robotIndex(const std::string& name) const;
 
-    /// Writes width() standardised inputs.
-    void read(const MotionInput& input, int robot, float* row) const;
+    /// Writes width() standardised inputs. `followed`, where it is given and anything ramps, is read if it is known,
+    /// and written as it will be for the next period.
+    void read(const MotionInput& input, int robot, float* row, Followed* followed = nullptr) const;
 
     /// The same without standardisation, for finding its means and scales.
     void readRaw(const MotionInput& input, int robot, double* row) const;
@@ -70,21 +81,24 @@ private:
     /// What the inputs are picked from: the means of both kinds of bins, then the inputs not made from commands.
     using Values = std::array<double, wheelWidth * MotionNetwork::maxInputs>;
 
-    void compute(const MotionInput& input, int robot, Values& values) const;
-    std::size_t collect(const MotionInput& input, Pieces& pieces) const;
-    void limitMeans(const Pieces& pieces, std::size_t count, double* means) const;
+    void compute(const MotionInput& input, int robot, Followed* followed, Values& values) const;
+    std::size_t collect(const MotionInput& input, double oldest, Pieces& pieces) const;
+    void rampMeans(const Pieces& pieces, std::size_t count, Followed* followed, double* means) const;
+    void limitWheels(double* means) const;
     double* wheelMeans(const Pieces& pieces, double* means) const;
 
     std::vector<NetworkInput> inputs_, others_;  ///< the others are not made from commands
     std::vector<std::string> robots_;
     Bins commands_, wheels_;
     ActuatorLimits limits_;
-    double oldest_;                    ///< s: no command is read that was no longer in force
+    double period_;                    ///< s
+    double oldest_;                    ///< s: lookBack()
     std::vector<std::size_t> places_;  ///< of the inputs among the values
     std::vector<double> means_, inverseScales_;
     double halfTrack_;   ///< m
     double perQuantum_;  ///< s/m, of the wheels' speeds
     double turnOffset_;
+    bool readsTurnSense_;
 };
 
 }  // namespace mrose

@@ -64,16 +64,18 @@ struct NoiseMemory {
     float forward = 0, heading = 0;  ///< the mean's increment of the period before
 };
 
-std::span<float> noiseValues(std::span<std::byte> memory, std::size_t count) {
-    return {reinterpret_cast<float*>(memory.data() + sizeof(LearnedMotion::Memory) + sizeof(NoiseMemory)), count};
+/// What a drive that ramps follows, behind LearnedMotion::Memory.
+Command& followedIn(std::span<std::byte> memory) { return as<Command>(memory.subspan(sizeof(LearnedMotion::Memory))); }
+const Command& followedIn(std::span<const std::byte> memory) {
+    return as<Command>(memory.subspan(sizeof(LearnedMotion::Memory)));
 }
 
 }  // namespace
 
 std::size_t LearnedMotion::memorySize(MotionDraw draw) const {
-    if (draw == MotionDraw::mean || !noise_) return sizeof(Memory);
+    if (draw == MotionDraw::mean || !noise_) return noiseOffset();
     const std::size_t values = (noise_->processes.values() + 1) / 2 * 2;  // whole blocks of 8 bytes
-    return sizeof(Memory) + sizeof(NoiseMemory) + values * sizeof(float);
+    return noiseOffset() + sizeof(NoiseMemory) + values * sizeof(float);
 }
 
 void LearnedMotion::adapt(int robot, std::span<std::byte> memory, const TrackerEvidence& seen) const {
@@ -93,9 +95,9 @@ std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const flo
     const bool kept = !input.memory.empty(), begun = kept && as<Memory>(input.memory).begun != 0;
     std::array<float, ResidualNoise::maxValues> own;
     std::span<float> values = std::span(own).first(noise_->processes.values());
-    if (kept) values = noiseValues(input.memory, values.size());
+    NoiseMemory* const before = kept ? reinterpret_cast<NoiseMemory*>(input.memory.data() + noiseOffset()) : nullptr;
+    if (kept) values = {reinterpret_cast<float*>(before + 1), values.size()};
     noise_->processes.advance(input.key(0), begun, values);
-    NoiseMemory* const before = kept ? reinterpret_cast<NoiseMemory*>(input.memory.data() + sizeof(Memory)) : nullptr;
     const Pose previous = begun ? Pose{before->forward, 0, before->heading} : mean;
     if (kept) *before = {static_cast<float>(mean.x), static_cast<float>(mean.heading)};
     std::array<Pose, ResidualNoise::maxMembers> members;
@@ -109,9 +111,14 @@ std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const flo
                                    std::span(members).first(noise_->processes.members()));
 }
 
-void LearnedMotion::explainNoise(std::span<const std::byte> memory, MemoryEntries& entries) const {
-    if (memory.size() <= sizeof(Memory) || !noise_) return;
-    const auto* const values = reinterpret_cast<const float*>(memory.data() + sizeof(Memory) + sizeof(NoiseMemory));
+void LearnedMotion::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    if (inputs_.ramps()) {
+        const Command& followed = followedIn(memory);
+        entries.add("followed_v", followed.v, "m/s");
+        entries.add("followed_w", followed.w, "rad/s");
+    }
+    if (memory.size() <= noiseOffset() || !noise_) return;
+    const auto* const values = reinterpret_cast<const float*>(memory.data() + noiseOffset() + sizeof(NoiseMemory));
     entries.add("noise_scale", noise_->processes.scale({values, noise_->processes.values()}));
 }
 
@@ -142,6 +149,13 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
     return step;
 }
 
+void LearnedMotion::readInputs(const MotionInput& input, int robot, float* row) const {
+    if (!inputs_.ramps() || input.memory.empty()) return inputs_.read(input, robot, row);
+    InputReader::Followed followed{followedIn(input.memory), as<Memory>(input.memory).begun != 0};
+    inputs_.read(input, robot, row, &followed);
+    followedIn(input.memory) = followed.command;
+}
+
 void LearnedMotion::remember(const MotionInput& input, const float* outputs) const {
     if (input.memory.empty()) return;
     const std::size_t end = network_.form == MotionNetwork::Form::history ? 5 : 3;
@@ -161,7 +175,7 @@ void LearnedMotion::predict(std::span<const MotionInput> inputs, std::span<const
         results;
     for (std::size_t begin = 0; begin < inputs.size(); begin += chunk) {
         const std::size_t count = std::min(chunk, inputs.size() - begin);
-        for (std::size_t i = 0; i < count; ++i) inputs_.read(inputs[begin + i], robots[begin + i], &rows[i * width]);
+        for (std::size_t i = 0; i < count; ++i) readInputs(inputs[begin + i], robots[begin + i], &rows[i * width]);
         inference.batch(rows.data(), results.data(), count);
         for (std::size_t i = 0; i < count; ++i) {
             const MotionInput& input = inputs[begin + i];
@@ -184,7 +198,7 @@ void LearnedMotion::predictMembers(std::span<const MotionInput> inputs, std::spa
     std::vector<float> results(std::min(chunk, inputs.size()) * all);
     for (std::size_t begin = 0; begin < inputs.size(); begin += chunk) {
         const std::size_t count = std::min(chunk, inputs.size() - begin);
-        for (std::size_t i = 0; i < count; ++i) inputs_.read(inputs[begin + i], robots[begin + i], &rows[i * width]);
+        for (std::size_t i = 0; i < count; ++i) readInputs(inputs[begin + i], robots[begin + i], &rows[i * width]);
         withMembers_->batch(rows.data(), results.data(), count);
         for (std::size_t i = 0; i < count; ++i) {
             const MotionInput& input = inputs[begin + i];
@@ -247,7 +261,7 @@ void LearnedModel::explain(std::span<const std::byte> memory, MemoryEntries& ent
         entries.add("tracked_point_ahead", own.ahead + static_cast<double>(kept.ahead), "m");
         entries.add("tracked_point_rotated", own.rotated + static_cast<double>(kept.rotated), "rad");
     }
-    motion_->explainNoise(memory, entries);
+    motion_->explain(memory, entries);
 }
 
 void LearnedModel::predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const {

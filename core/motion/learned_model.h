@@ -37,10 +37,12 @@ public:
         /// Of the tracked point, besides what the network knows: MotionModel::adapt.
         float ahead = 0, rotated = 0;
     };
-    /// Bytes that are remembered of a robot: Memory, and where noise is drawn, what that remembers.
+    /// Bytes that are remembered of a robot: Memory; of a drive that ramps, what it follows (InputReader::Followed);
+    /// and where noise is drawn, what that remembers.
     std::size_t memorySize(MotionDraw draw) const;
-    /// What the noise remembers, for people.
-    void explainNoise(std::span<const std::byte> memory, MemoryEntries& entries) const;
+    static constexpr std::size_t largestOfMean = sizeof(Memory) + sizeof(Command);  ///< memorySize(mean), at most
+    /// What the drive follows and what the noise remembers, for people.
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const;
 
     /// How the tracked point lies on the robot of this index, as far as the network knows; none of one that it does
     /// not.
@@ -72,7 +74,10 @@ private:
     /// `noise`: of the increment.
     MotionStep toStep(const MotionInput& input, int robot, const float* outputs,
                       const std::optional<Pose>& noise = std::nullopt) const;
+    void readInputs(const MotionInput& input, int robot, float* row) const;
     void remember(const MotionInput& input, const float* outputs) const;
+    /// Of what the noise remembers.
+    std::size_t noiseOffset() const { return sizeof(Memory) + (inputs_.ramps() ? sizeof(Command) : 0); }
     /// Of the network that this is drawn by: with the outputs of the members where the noise needs them.
     const MlpInference& inferenceFor(MotionDraw draw) const;
     Pose incrementOf(const float* outputs) const { return {value(outputs, 0), value(outputs, 1), value(outputs, 2)}; }

@@ -61,6 +61,7 @@ std::string limitsText(const ActuatorLimits& limits) {
     };
     add("acceleration_v_mps2", limits.accelerationV);
     add("acceleration_w_radps2", limits.accelerationW);
+    if (limits.ramps()) add("longest_ramp_s", limits.longestRamp);
     add("wheel_speed_mps", limits.wheelSpeed);
     add("half_track_m", limits.halfTrack);
     return text;

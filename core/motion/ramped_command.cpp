@@ -3,58 +3,67 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace mrose {
+namespace {
 
-RampedCommand::RampedCommand(double acceleration, std::span<const double> ages, const double* values,
-                             std::size_t stride, double oldest) {
+/// `from`, or as near to `command` as `within` of it. Branches would be guessed wrong.
+double followed(double from, double command, double within) {
+    const double most = from + within, least = from - within;
+    const double towards = command < most ? command : most;
+    return towards > least ? towards : least;
+}
+
+}  // namespace
+
+RampedCommand::RampedCommand(const ActuatorLimits& limits, std::span<const double> ages, const double* commands,
+                             std::size_t stride, const Command& begun)
+    : ages_(ages), commands_(commands), stride_(stride), accelerations_{limits.accelerationV, limits.accelerationW} {
     const std::size_t pieces = ages.size() - 1;
-    assert(acceleration > 0 && pieces > 0 && pieces <= mostPieces);
-    const double perAcceleration = 1 / acceleration;
-    double followed = values[(pieces - 1) * stride];
-    std::size_t i = pieces - 1;
-    for (; ages[i] >= oldest; --i) {  // before what is asked for
-        const double within = acceleration * (ages[i + 1] - ages[i]);
-        followed += std::clamp(values[i * stride] - followed, -within, within);
+    assert(pieces > 0 && pieces <= mostPieces);
+    for (std::size_t c = 0; c < channels; ++c) {
+        halfAccelerations_[c] = 0.5 * accelerations_[c];
+        perAccelerations_[c] = accelerations_[c] > 0 ? 1 / accelerations_[c] : 0;
+        if (accelerations_[c] == 0) accelerations_[c] = std::numeric_limits<double>::max();
     }
-    knots_[count_++] = {ages[i + 1], followed, 0};
-    for (++i; i-- > 0;) {
-        const double missing = values[i * stride] - followed, within = acceleration * (ages[i + 1] - ages[i]);
-        if (std::abs(missing) <= within) {
-            followed = values[i * stride];
-            if (missing != 0) add(std::max(ages[i], ages[i + 1] - std::abs(missing) * perAcceleration), followed);
-        } else {
-            followed += std::copysign(within, missing);
+    Channels now{begun.v, begun.w};
+    for (std::size_t i = pieces; i-- > 0;) {
+        begun_[i] = now;
+        const double lasts = ages[i + 1] - ages[i];
+        for (std::size_t c = 0; c < channels; ++c)
+            now[c] = followed(now[c], commands[i * stride + c], accelerations_[c] * lasts);
+    }
+}
+
+Command RampedCommand::mean(double newest, double oldest) {
+    if (ages_[newest_] > newest) newest_ = 0;
+    while (ages_[newest_ + 1] <= newest) ++newest_;
+    Channels travelled{};
+    double from = newest;
+    for (std::size_t i = newest_; from < oldest; ++i) {
+        const double to = std::min(ages_[i + 1], oldest);
+        const double begun = ages_[i + 1] - to, ended = ages_[i + 1] - from;  // s since the piece's beginning
+        for (std::size_t c = 0; c < channels; ++c) {
+            const double command = commands_[i * stride_ + c], missing = command - begun_[i][c];
+            const double rampEnds = std::abs(missing) * perAccelerations_[c];
+            const double halfSlope = std::copysign(halfAccelerations_[c], missing);
+            const double a = std::min(begun, rampEnds), b = std::min(ended, rampEnds);
+            travelled[c] += command * (to - from) - missing * (b - a) + halfSlope * (b * b - a * a);
         }
-        add(ages[i], followed);
+        from = to;
     }
-    next_ = count_ - 1;
+    const double perTime = 1 / (oldest - newest);
+    return {travelled[0] * perTime, travelled[1] * perTime};
 }
 
-void RampedCommand::add(double age, double value) {
-    const Knot& before = knots_[count_ - 1];
-    knots_[count_] = {age, value, before.travelled + 0.5 * (before.value + value) * (before.age - age)};
-    ++count_;
-}
-
-double RampedCommand::travelledAt(double age) {
-    if (age == lastAge_) return lastTravelled_;
-    if (age < lastAge_) next_ = count_ - 1;
-    while (next_ > 0 && knots_[next_].age < age) --next_;
-    const Knot& from = knots_[next_];
-    lastAge_ = age;
-    lastTravelled_ = from.travelled;
-    if (next_ + 1 < count_ && from.age > age) {
-        const Knot& to = knots_[next_ + 1];
-        const double since = from.age - age;
-        lastTravelled_ += since * (from.value + 0.5 * (to.value - from.value) * (since / (from.age - to.age)));
-    }
-    return lastTravelled_;
-}
-
-double RampedCommand::mean(double newest, double oldest) {
-    const double end = travelledAt(newest);
-    return (end - travelledAt(oldest)) / (oldest - newest);
+Command RampedCommand::at(double age) const {
+    std::size_t i = 0;
+    while (i + 2 < ages_.size() && ages_[i + 1] <= age) ++i;
+    const double since = ages_[i + 1] - age;
+    const double* const command = commands_ + i * stride_;
+    return {followed(begun_[i][0], command[0], accelerations_[0] * since),
+            followed(begun_[i][1], command[1], accelerations_[1] * since)};
 }
 
 }  // namespace mrose

@@ -36,8 +36,9 @@ void requirePrediction(const MotionNetwork& network, std::string_view bytes) {
         const LearnedModel model(motion, robot);
         for (const Nanoseconds start : {Nanoseconds{0}, Nanoseconds{900'000'000}, Nanoseconds{1} << 50}) {
             model.predictOne({&history, start, {0.2, -0.3}});
-            LearnedMotion::Memory memory{{0.1, 0.1}, 1};
-            model.predictOne({&empty, start, {}, std::as_writable_bytes(std::span(&memory, 1))});
+            std::vector<std::byte> memory(model.memorySize());
+            as<LearnedMotion::Memory>(std::span(memory)) = {{0.1, 0.1}, 1};
+            model.predictOne({&empty, start, {}, memory});
         }
         const LearnedModel noisy(motion, robot, MotionDraw::noisy);
         std::vector<std::byte> memory(noisy.memorySize());

@@ -83,6 +83,7 @@ TEST(ActuatorLimitsFit, FindsThoseOfTheReferenceRobot) {
     EXPECT_NEAR(limits.accelerationW / truth.turnAcceleration, 1, 0.1);
     EXPECT_NEAR(limits.wheelSpeed / truth.largestWheelSpeed, 1, 0.1);
     EXPECT_NEAR(limits.halfTrack / (truth.track / 2), 1, 0.2);
+    EXPECT_NEAR(limits.longestRamp, 2 * truth.largestSpeed / limits.accelerationV, 0.05);  // turns are there sooner
 }
 
 TEST(ActuatorLimitsFit, LogsThatNeverTurnOrHaveNoTruthShowNone) {

@@ -8,6 +8,7 @@
 
 #include "motion/network_fixture.h"
 #include "support/units.h"
+#include "world/noise.h"
 
 namespace mrose {
 namespace {
@@ -131,7 +132,8 @@ TEST(InputReader, ReadsCommandsAsTheDriveFollowsThem) {
     };
     const auto jumping = read();
     network.limits.accelerationV = 1;
-    EXPECT_EQ(InputReader(network).lookBack(), 2700 * ms);  // where a ramp began that may still last
+    EXPECT_EQ(InputReader(network).lookBack(), 300 * ms);
+    EXPECT_EQ(InputReader(network).lookBackAtFirst(), 2700 * ms);  // where a ramp began that may still last
     const auto ramped = read();
     EXPECT_NEAR(ramped[0], (0.1 * 0.2 + 0.1 * 0.25) / 0.2, 1e-14);
     EXPECT_EQ(ramped[1], jumping[1]);
@@ -150,7 +152,35 @@ TEST(InputReader, ReadsCommandsAsTheDriveFollowsThem) {
     EXPECT_NE(read()[0], ramped[0]);
 }
 
-/// Worlds keep fewer commands than rollouts of logs do.
+/// Worlds keep no more commands than are read; rollouts of logs and patterns know them all.
+TEST(InputReader, WhatIsFollowedIsRememberedAsTheWholeHistoryTellsIt) {
+    MotionNetwork network = readingNothing();
+    for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
+        network.inputs.insert(network.inputs.end(), {inputOf(quantity, 0.2, 0.25), inputOf(quantity, 0.25, 0.45)});
+    network.limits = {0.5, 2, 0.5, 0.17};
+    const InputReader reader(network);
+    const Nanoseconds period = network.period;
+    CommandHistory all;
+    InputReader::Followed followed;
+    for (int i = 0; i < 100; ++i) {
+        all.issue(i * period + 7 * ms, {0.6 * uniformNoise({1, i, 0, 0}) - 0.2, normalNoise({1, i, 0, 1})});
+        const Nanoseconds start = (i + 1) * period;
+        CommandHistory kept;  // what is in force no more where reading begins is forgotten
+        for (std::size_t c = 0; c < all.size(); ++c)
+            if (c + 1 == all.size() || all.issueTime(c + 1) > start - reader.lookBack())
+                kept.issue(all.issueTime(c), all.command(c));
+        std::array<float, 4> told{}, remembered{}, forgotten{};
+        reader.read({&all, start, velocity}, 0, told.data());
+        reader.read({&kept, start, velocity}, 0, remembered.data(), &followed);
+        ASSERT_TRUE(followed.known);
+        for (std::size_t k = 0; k < told.size(); ++k) ASSERT_NEAR(remembered[k], told[k], 1e-6) << i << ", input " << k;
+        reader.read({&kept, start, velocity}, 0, forgotten.data());
+        if (i == 99) {
+            EXPECT_GT(std::abs(forgotten[1] - told[1]), 0.01);
+        }
+    }
+}
+
 TEST(InputReader, WhatWasReachedLongAgoDoesNotMatterToTheLastBit) {
     MotionNetwork network = readingNothing();
     network.inputs = {inputOf(Quantity::commandV, 0.1, 0.3), inputOf(Quantity::commandW, 0.1, 0.3)};

@@ -21,6 +21,12 @@ CommandHistory someHistory(int variant) {
     return history;
 }
 
+std::vector<std::byte> memoryFor(const LearnedMotion& motion, const LearnedMotion::Memory& begun) {
+    std::vector<std::byte> memory(motion.memorySize(MotionDraw::mean));
+    as<LearnedMotion::Memory>(std::span(memory)) = begun;
+    return memory;
+}
+
 /// The definition, in double precision and with the library's functions.
 MotionStep reference(const MotionNetwork& n, const MotionInput& input, int robot) {
     std::vector<double> x(n.inputs.size());
@@ -95,8 +101,9 @@ TEST_P(LearnedModelOfBothForms, PredictsWhatItsFileDefines) {
         const LearnedModel model(motion, name);
         const CommandHistory history = someHistory(3);
         MotionInput input{&history, 400 * ms, {0.21, -0.4}};
-        LearnedMotion::Memory memory{{0.2, -0.1}, 1};
-        if (index == 0) input.memory = std::as_writable_bytes(std::span(&memory, 1));
+        const bool remembers = GetParam() == MotionNetwork::Form::history;
+        std::vector<std::byte> memory = memoryFor(*motion, {{0.2, -0.1}, remembers});
+        if (index == 0) input.memory = memory;
         const MotionStep expected = reference(network, input, index), step = model.predictOne(input);
         EXPECT_NEAR(step.increment.x, expected.increment.x, 1e-7);
         EXPECT_NEAR(step.increment.y, expected.increment.y, 1e-7);
@@ -120,6 +127,32 @@ TEST_P(LearnedModelOfBothForms, GivesTheSameBitsAloneAndInAnyBatch) {
         EXPECT_EQ(alone.increment, batch[i].increment) << i;
         EXPECT_EQ(alone.velocity, batch[i].velocity) << i;
     }
+}
+
+/// What a world keeps of the commands beside what a rollout of a log knows.
+TEST(LearnedModel, FollowsCommandsThatAWorldNoLongerKeeps) {
+    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
+    network.limits = {0.2, 0.5, 0.5, 0.165, 2};
+    const LearnedModel model(std::make_shared<const LearnedMotion>(network), "a");
+    std::vector<std::byte> ofWorld(model.memorySize()), ofLog = ofWorld;
+    CommandHistory all;
+    std::array<StampedCommand, 8> slots;
+    std::size_t kept = 0;
+    Command before;
+    bool differs = false;
+    for (int i = 0; i < 60; ++i) {
+        const Nanoseconds start = i * model.period();
+        const StampedCommand issued{start, {0.4 * uniformNoise({2, i, 0, 0}), normalNoise({2, i, 0, 1})}};
+        all.issue(issued.time, issued.command);
+        issueCommand(std::span(slots).first(std::size_t(model.lookBack() / model.period()) + 2), kept, before, issued);
+        const CommandView view{std::span<const StampedCommand>(slots).first(kept), before};
+        const MotionStep inWorld = model.predictOne({view, start, {0.2, 0.1}, ofWorld});
+        const MotionStep ofRollout = model.predictOne({&all, start, {0.2, 0.1}, ofLog});
+        ASSERT_EQ(inWorld.increment, ofRollout.increment) << i;
+        ASSERT_EQ(ofWorld, ofLog) << i;
+        differs = differs || model.predictOne({view, start, {0.2, 0.1}}).increment != inWorld.increment;
+    }
+    EXPECT_TRUE(differs) << "what it remembers does not matter";
 }
 
 /// Of some members, whose layers differ; the velocities of the history form belong to all of them together.
@@ -213,19 +246,19 @@ TEST_P(LearnedModelOfBothForms, MembersReadWhatTheirMeanRemembers) {
     const LearnedMotion motion(network);
     const SeveralInputs several(1);
     const std::array<int, 1> robots{1};
-    LearnedMotion::Memory ofMean{{0.3, -0.2}, 1}, ofAll = ofMean;
+    std::vector<std::byte> ofMean = memoryFor(motion, {{0.3, -0.2}, 1}), ofAll = ofMean;
     MotionInput input = several.inputs[0];
     std::array<MotionStep, 1> mean, step, alone;
     std::array<MotionStep, 2> members;
-    input.memory = std::as_writable_bytes(std::span(&ofMean, 1));
+    input.memory = ofMean;
     motion.predict({&input, 1}, robots, mean);
-    input.memory = std::as_writable_bytes(std::span(&ofAll, 1));
+    input.memory = ofAll;
     motion.predictMembers({&input, 1}, robots, step, members);
     EXPECT_EQ(step[0].increment, mean[0].increment);
-    EXPECT_EQ(ofAll.unperturbed, ofMean.unperturbed) << "it remembers its own prediction, not the members'";
+    EXPECT_EQ(ofAll, ofMean) << "it remembers its own prediction, not the members'";
     for (std::size_t m = 0; m < 2; ++m) {
-        LearnedMotion::Memory own{{0.3, -0.2}, 1};
-        input.memory = std::as_writable_bytes(std::span(&own, 1));
+        std::vector<std::byte> own = memoryFor(motion, {{0.3, -0.2}, 1});
+        input.memory = own;
         LearnedMotion(memberAlone(network, m)).predict({&input, 1}, robots, alone);
         EXPECT_EQ(members[m].increment, alone[0].increment) << m;
         EXPECT_EQ(members[m].velocity, alone[0].velocity) << m;

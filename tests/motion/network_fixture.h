@@ -14,7 +14,7 @@ inline MotionNetwork arbitraryNetwork(MotionNetwork::Form form) {
     n.robots = {"a", "b"};
     n.wheelPhase = {0.13, 0.0084};
     n.turnOffset = 0.0055;
-    if (form == MotionNetwork::Form::state) n.limits = {0.55, 4.7, 0.5, 0.165};
+    if (form == MotionNetwork::Form::state) n.limits = {0.55, 4.7, 0.5, 0.165, 1.5};
     n.recovery = form == MotionNetwork::Form::history ? MotionNetwork::Recovery{0.1, 0.14} : MotionNetwork::Recovery{};
     const auto add = [&](Quantity q, double newest, double oldest) {
         NetworkInput input;
