@@ -101,7 +101,7 @@ Pair largestCommands(std::span<const Log> logs) {
     return largest;
 }
 
-/// s: from the largest command to its opposite.
+/// s: from the largest command to its opposite, as far as it is told.
 double longestRamp(const ActuatorLimits& limits, const Pair& largest) {
     double longest = 0;
     if (limits.accelerationV > 0) longest = std::max(longest, 2 * largest[0] / limits.accelerationV);

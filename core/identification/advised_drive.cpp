@@ -203,7 +203,7 @@ Expected<std::vector<Driving>> drivingOf(std::span<const Log> logs, const Motion
 double usualDisagreement(std::span<const Log> logs, const LearnedMotion& motion) {
     double sum = 0, count = 0;
     GridMargins margins;
-    margins.begin = std::max(margins.begin, motion.inputs().lookBackAtFirst());
+    margins.begin = std::max(margins.begin, motion.inputs().lookBack());
     for (const Log& log : logs)
         for (const RobotLog& robot : log.robots)
             for (const Trajectory& trajectory : robot.trajectories) {

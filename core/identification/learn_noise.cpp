@@ -86,8 +86,7 @@ Expected<Division> divided(const std::vector<Log>& logs, int part, const MotionN
     if (!holdOut) return tl::unexpected(holdOut.error());
     if (holdOut->byTime()) {
         const int chain = options.loss == LearningLoss::rollout ? options.rolloutLength : 1;
-        holdOut->guard =
-            std::ceil(10 * toSeconds(InputReader(blueprint).lookBackAtFirst() + chain * blueprint.period)) / 10;
+        holdOut->guard = std::ceil(10 * toSeconds(InputReader(blueprint).lookBack() + chain * blueprint.period)) / 10;
     }
     auto learned = partsOf(logs, *holdOut, LogPart::learned), rest = partsOf(logs, *holdOut, LogPart::heldOut);
     if (!learned) return tl::unexpected(learned.error());

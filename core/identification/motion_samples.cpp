@@ -44,8 +44,8 @@ public:
           reader_(reader),
           options_(options),
           out_(out),
-          fine_(poseGrid(trajectory, options.period / options.phases, marginsOf(trajectory, reader.lookBackAtFirst()))),
-          guard_(std::max(leastGuard, reader.lookBackAtFirst() + options.period)) {}
+          fine_(poseGrid(trajectory, options.period / options.phases, marginsOf(trajectory, reader.lookBack()))),
+          guard_(std::max(leastGuard, reader.lookBack() + options.period)) {}
 
     void read() {
         for (int phase = 0; phase < options_.phases; ++phase) readPhase(phase);
@@ -68,9 +68,11 @@ private:
         CommandHistory history;
         std::size_t issued = 0;
         SampleRun run{out_.samples.size(), 0, robot_, -1, phase};
+        followed_ = {};
         const auto close = [&] {
             if (run.count > 0) out_.runs.push_back(run);
             run = {out_.samples.size(), 0, robot_, -1, phase};
+            followed_ = {};
         };
         for (std::size_t i = static_cast<std::size_t>(phase); i < fine_.size(); i += stride()) {
             const Nanoseconds start = fine_.time(i);
@@ -91,7 +93,7 @@ private:
 
     void markReaches(Nanoseconds start, SampleRun& run) const {
         for (const Past& past : pasts_) {
-            if (past.fold == run.fold || past.end <= start - reader_.lookBackAtFirst()) continue;
+            if (past.fold == run.fold || past.end <= start - reader_.lookBack()) continue;
             auto reach = std::find_if(run.reaches.begin(), run.reaches.end(),
                                       [&](const SampleRun::Reach& r) { return r.fold == past.fold; });
             if (reach == run.reaches.end()) reach = run.reaches.insert(reach, {past.fold, 0});
@@ -118,7 +120,7 @@ private:
         out_.samples.push_back(sample);
         out_.inputs.resize(out_.inputs.size() + out_.width);
         reader_.readRaw({&history, sample.start, sample.before}, robot_,
-                        out_.inputs.data() + (out_.inputs.size() - out_.width));
+                        out_.inputs.data() + (out_.inputs.size() - out_.width), &followed_);
     }
 
     const Trajectory& trajectory_;
@@ -128,7 +130,8 @@ private:
     const SampleOptions& options_;
     MotionSamples& out_;
     PoseGrid fine_;
-    Nanoseconds guard_;  ///< left out at the beginning of a block
+    Nanoseconds guard_;               ///< left out at the beginning of a block
+    InputReader::Followed followed_;  ///< since the run began: nothing before it is read
 };
 
 /// What a trajectory's commands cover before its own truth: other trajectories of the robot.

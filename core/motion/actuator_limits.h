@@ -15,8 +15,10 @@ struct ActuatorLimits {
     double wheelSpeed = 0;                        ///< m/s
     double halfTrack = 0;                         ///< m, where wheels have a limit
 
-    static constexpr double mostRamp = 2.4;  ///< s: ramps that last longer are not known
-    double longestRamp = mostRamp;           ///< s, where there are accelerations: from a command to its opposite
+    /// s: accelerations are sought by which the largest command is reached from standstill within this.
+    static constexpr double mostRamp = 2.4;
+    /// s, where there are accelerations: as much older commands tell what is followed where that is not remembered.
+    double longestRamp = mostRamp;
     bool ramps() const { return accelerationV > 0 || accelerationW > 0; }
 
     Command withinWheelSpeed(const Command& command) const {

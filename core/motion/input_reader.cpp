@@ -10,9 +10,6 @@ namespace {
 
 using Quantity = NetworkInput::Quantity;
 
-/// s: what is followed is taken to have been what was commanded so long before anything that is read.
-constexpr double longForgotten = 2 * ActuatorLimits::mostRamp;
-
 double turnSense(const Command& command, double offset) {
     const bool straight = command.w == 0 && !std::signbit(command.w);
     if (command.v <= 0 || straight) return 0;
@@ -72,6 +69,7 @@ InputReader::InputReader(const MotionNetwork& network)
       limits_(network.limits),
       period_(toSeconds(network.period)),
       oldest_(std::max({commands_.oldest(), wheels_.oldest(), ramps() ? period_ : 0})),
+      toldFrom_(oldest_ + (ramps() ? limits_.longestRamp : 0)),
       halfTrack_(network.wheelPhase.halfTrack),
       perQuantum_(1 / network.wheelPhase.quantum),
       turnOffset_(network.turnOffset),
@@ -118,10 +116,9 @@ std::size_t InputReader::collect(const MotionInput& input, double oldest, Pieces
     return static_cast<std::size_t>(end - pieces.ages.data());
 }
 
-/// Means of v and w, as the drive follows them.
-void InputReader::rampMeans(const Pieces& pieces, std::size_t count, Followed* followed, double* means) const {
-    const double* const oldest = &pieces.commands[(count - 1) * commandWidth];
-    const Command begun = followed != nullptr && followed->known ? followed->command : Command{oldest[0], oldest[1]};
+/// Means of v and w, as the drive follows them from `begun` on, where the pieces begin. Returns what it follows where
+/// those of the next period do.
+Command InputReader::rampMeans(const Pieces& pieces, std::size_t count, const Command& begun, double* means) const {
     RampedCommand ramped(limits_, std::span(pieces.ages.data(), count + 1), pieces.commands.data(), commandWidth,
                          begun);
     for (const Bins::Bin& bin : commands_.bins()) {
@@ -130,7 +127,7 @@ void InputReader::rampMeans(const Pieces& pieces, std::size_t count, Followed* f
         if (limits_.accelerationW > 0) means[1] = mean.w;
         means += commandWidth;
     }
-    if (followed != nullptr) *followed = {ramped.at(oldest_ - period_), true};
+    return ramped.at(oldest_ - period_);
 }
 
 void InputReader::limitWheels(double* means) const {
@@ -161,10 +158,16 @@ double* InputReader::wheelMeans(const Pieces& pieces, double* means) const {
 
 void InputReader::compute(const MotionInput& input, int robot, Followed* followed, Values& values) const {
     Pieces pieces;
-    const bool known = !ramps() || (followed != nullptr && followed->known);
-    const std::size_t count = collect(input, known ? oldest_ : oldest_ + longForgotten, pieces);
+    const Nanoseconds begin = input.start - fromSeconds(oldest_);
+    const bool known = followed != nullptr && followed->time == begin;
+    const std::size_t count = collect(input, known ? oldest_ : toldFrom_, pieces);
     double* value = commands_.means<commandWidth>(pieces, pieces.commands.data(), values.data());
-    if (ramps()) rampMeans(pieces, count, followed, values.data());
+    if (ramps()) {
+        const double* const oldest = &pieces.commands[(count - 1) * commandWidth];
+        const Command begun = known ? followed->command : Command{oldest[0], oldest[1]};
+        const Command next = rampMeans(pieces, count, begun, values.data());
+        if (followed != nullptr) *followed = {next, begin + fromSeconds(period_)};
+    }
     if (limits_.wheelSpeed > 0) limitWheels(values.data());
     value = wheelMeans(pieces, value);
     for (const NetworkInput& other : others_) {
@@ -176,9 +179,9 @@ void InputReader::compute(const MotionInput& input, int robot, Followed* followe
     }
 }
 
-void InputReader::readRaw(const MotionInput& input, int robot, double* row) const {
+void InputReader::readRaw(const MotionInput& input, int robot, double* row, Followed* followed) const {
     Values values;
-    compute(input, robot, nullptr, values);
+    compute(input, robot, followed, values);
     for (std::size_t i = 0; i < places_.size(); ++i) row[i] = values[places_[i]];
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,28 +21,27 @@ public:
 
     std::size_t width() const { return inputs_.size(); }
 
-    /// What a drive of limited acceleration follows lookBack() before a period's start.
+    /// What a drive of limited acceleration follows at an instant: where the commands begin that a period's inputs are
+    /// made from.
     struct Followed {
         Command command;
-        bool known = false;
+        Nanoseconds time = std::numeric_limits<Nanoseconds>::min();  ///< of no period
     };
     bool ramps() const { return limits_.ramps() && commands_.size() > 0; }
 
-    /// How far before a period's start it reads commands where what is followed there is known.
-    Nanoseconds lookBack() const { return fromSeconds(oldest_); }
-    /// How far it must know them where that is not known. What is followed is then told from all the commands there
-    /// are, up to a few seconds.
-    Nanoseconds lookBackAtFirst() const { return fromSeconds(oldest_ + (ramps() ? limits_.longestRamp : 0)); }
+    /// How far before a period's start it reads commands. Of a drive that ramps so far only where it is not known what
+    /// it follows, which is then computed from them.
+    Nanoseconds lookBack() const { return fromSeconds(toldFrom_); }
 
     /// Index of a robot by its name, -1 for one that the network was not learned from.
     int robotIndex(const std::string& name) const;
 
-    /// Writes width() standardised inputs. `followed`, where it is given and anything ramps, is read if it is known,
-    /// and written as it will be for the next period.
+    /// Writes width() standardised inputs. `followed`, where it is given and anything ramps, is read if it is of
+    /// this period, and written for the next one.
     void read(const MotionInput& input, int robot, float* row, Followed* followed = nullptr) const;
 
     /// The same without standardisation, for finding its means and scales.
-    void readRaw(const MotionInput& input, int robot, double* row) const;
+    void readRaw(const MotionInput& input, int robot, double* row, Followed* followed = nullptr) const;
 
 private:
     static constexpr std::size_t commandWidth = 3, wheelWidth = 6;  ///< quantities: commandV ..., leftSine ...
@@ -83,7 +83,7 @@ private:
 
     void compute(const MotionInput& input, int robot, Followed* followed, Values& values) const;
     std::size_t collect(const MotionInput& input, double oldest, Pieces& pieces) const;
-    void rampMeans(const Pieces& pieces, std::size_t count, Followed* followed, double* means) const;
+    Command rampMeans(const Pieces& pieces, std::size_t count, const Command& begun, double* means) const;
     void limitWheels(double* means) const;
     double* wheelMeans(const Pieces& pieces, double* means) const;
 
@@ -92,7 +92,8 @@ private:
     Bins commands_, wheels_;
     ActuatorLimits limits_;
     double period_;                    ///< s
-    double oldest_;                    ///< s: lookBack()
+    double oldest_;                    ///< s: inputs are made from nothing older
+    double toldFrom_;                  ///< s: what is followed then is told from nothing older
     std::vector<std::size_t> places_;  ///< of the inputs among the values
     std::vector<double> means_, inverseScales_;
     double halfTrack_;   ///< m

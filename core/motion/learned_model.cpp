@@ -65,9 +65,11 @@ struct NoiseMemory {
 };
 
 /// What a drive that ramps follows, behind LearnedMotion::Memory.
-Command& followedIn(std::span<std::byte> memory) { return as<Command>(memory.subspan(sizeof(LearnedMotion::Memory))); }
-const Command& followedIn(std::span<const std::byte> memory) {
-    return as<Command>(memory.subspan(sizeof(LearnedMotion::Memory)));
+InputReader::Followed& followedIn(std::span<std::byte> memory) {
+    return as<InputReader::Followed>(memory.subspan(sizeof(LearnedMotion::Memory)));
+}
+const InputReader::Followed& followedIn(std::span<const std::byte> memory) {
+    return as<InputReader::Followed>(memory.subspan(sizeof(LearnedMotion::Memory)));
 }
 
 }  // namespace
@@ -113,7 +115,7 @@ std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const flo
 
 void LearnedMotion::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     if (inputs_.ramps()) {
-        const Command& followed = followedIn(memory);
+        const Command& followed = followedIn(memory).command;
         entries.add("followed_v", followed.v, "m/s");
         entries.add("followed_w", followed.w, "rad/s");
     }
@@ -151,9 +153,9 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
 
 void LearnedMotion::readInputs(const MotionInput& input, int robot, float* row) const {
     if (!inputs_.ramps() || input.memory.empty()) return inputs_.read(input, robot, row);
-    InputReader::Followed followed{followedIn(input.memory), as<Memory>(input.memory).begun != 0};
+    InputReader::Followed& followed = followedIn(input.memory);
+    if (as<Memory>(input.memory).begun == 0) followed = {};
     inputs_.read(input, robot, row, &followed);
-    followedIn(input.memory) = followed.command;
 }
 
 void LearnedMotion::remember(const MotionInput& input, const float* outputs) const {

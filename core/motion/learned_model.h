@@ -40,7 +40,8 @@ public:
     /// Bytes that are remembered of a robot: Memory; of a drive that ramps, what it follows (InputReader::Followed);
     /// and where noise is drawn, what that remembers.
     std::size_t memorySize(MotionDraw draw) const;
-    static constexpr std::size_t largestOfMean = sizeof(Memory) + sizeof(Command);  ///< memorySize(mean), at most
+    static constexpr std::size_t largestOfMean =
+        sizeof(Memory) + sizeof(InputReader::Followed);  ///< memorySize(mean), at most
     /// What the drive follows and what the noise remembers, for people.
     void explain(std::span<const std::byte> memory, MemoryEntries& entries) const;
 
@@ -77,7 +78,7 @@ private:
     void readInputs(const MotionInput& input, int robot, float* row) const;
     void remember(const MotionInput& input, const float* outputs) const;
     /// Of what the noise remembers.
-    std::size_t noiseOffset() const { return sizeof(Memory) + (inputs_.ramps() ? sizeof(Command) : 0); }
+    std::size_t noiseOffset() const { return sizeof(Memory) + (inputs_.ramps() ? sizeof(InputReader::Followed) : 0); }
     /// Of the network that this is drawn by: with the outputs of the members where the noise needs them.
     const MlpInference& inferenceFor(MotionDraw draw) const;
     Pose incrementOf(const float* outputs) const { return {value(outputs, 0), value(outputs, 1), value(outputs, 2)}; }

@@ -59,7 +59,7 @@ ActuatorLimits readLimits(TomlTable table) {
     ActuatorLimits limits;
     if (table.has("acceleration_v_mps2")) limits.accelerationV = table.number("acceleration_v_mps2", {1e-6, 1e6});
     if (table.has("acceleration_w_radps2")) limits.accelerationW = table.number("acceleration_w_radps2", {1e-6, 1e6});
-    if (table.has("longest_ramp_s"))
+    if (limits.ramps() && table.has("longest_ramp_s"))
         limits.longestRamp = table.number("longest_ramp_s", {1e-3, ActuatorLimits::mostRamp});
     if (table.has("wheel_speed_mps")) {
         limits.wheelSpeed = table.number("wheel_speed_mps", {1e-6, 1e6});

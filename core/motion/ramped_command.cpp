@@ -8,7 +8,7 @@
 namespace mrose {
 namespace {
 
-/// `from`, or as near to `command` as `within` of it. Branches would be guessed wrong.
+/// `command`, or what is nearest to it no farther than `within` from `from`. Branches would be guessed wrong.
 double followed(double from, double command, double within) {
     const double most = from + within, least = from - within;
     const double towards = command < most ? command : most;

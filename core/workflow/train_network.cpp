@@ -130,7 +130,7 @@ Expected<TrainingData> guardedTrainingData(LearningLogs opened, const TrainReque
         auto data = trainingData(opened, request, recipe, traits);
         if (!data || !opened.holdOut.byTime()) return data;
         const int chain = options.loss == LearningLoss::rollout ? options.rolloutLength : 1;
-        const double reach = toSeconds(InputReader(data->blueprint).lookBackAtFirst() + chain * data->blueprint.period);
+        const double reach = toSeconds(InputReader(data->blueprint).lookBack() + chain * data->blueprint.period);
         if (reach <= opened.holdOut.guard) return data;
         opened.holdOut.guard = std::ceil(10 * reach) / 10;
     }

@@ -110,6 +110,25 @@ INSTANTIATE_TEST_SUITE_P(Models, SameAsPrediction,
                          testing::Values("create.net", "create_paper.net", "pioneer.net", "kinematic"),
                          [](const auto& test) { return test.param.substr(0, test.param.find('.')); });
 
+/// A drive that ramps, which the log's commands catch anywhere on its way.
+TEST(SameAsPrediction, OfADriveThatRamps) {
+    auto network = loadNetwork(sourceFolder() / "nets" / "pioneer.net");
+    ASSERT_TRUE(network) << network.error().message();
+    network->limits = {0.5, 5.3, 0.5, 0.18, 2};
+    const Models models{
+        std::make_shared<const LearnedModel>(std::make_shared<const LearnedMotion>(std::move(*network)), "any")};
+    const Log log = logOf({obedientTrajectory(0, 12 * second, [](double t) {
+        return Command{std::fmod(t, 1.7) < 0.8 ? 0.5 : -0.1, std::sin(7 * t)};
+    })});
+    const auto world = LogWorld::create(playersOf(log, models), std::make_shared<const Log>(log));
+    ASSERT_TRUE(world) << world.error().message();
+    std::vector<RolloutRequest> requests;
+    for (Nanoseconds i = 0; i < 12; ++i) requests.push_back({0, 3 * second + i * 271'828'182, 40});
+    const auto comparison = compare(*world, requests);
+    ASSERT_TRUE(comparison) << comparison.error().message();
+    EXPECT_EQ(expectEqual(log, models, *comparison).rollouts, requests.size());
+}
+
 TEST(SameAsPrediction, WhereTheStartsVelocityIsUnknownAndWhereTheCommandWasLongInForce) {
     // At its first pose a log tells no velocity; a steady trajectory had its first command before it began.
     Trajectory trajectory = obedientTrajectory(0, 9 * second, [](double t) { return Command{0.2, 0.1 * t}; });

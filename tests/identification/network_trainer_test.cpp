@@ -323,14 +323,16 @@ TEST(MotionSamples, ABlockLosesASecondOrWhatThePatternsReadBack) {
 TEST(MotionSamples, NoPatternReadsBackBeyondTheFirstCommand) {
     ResponseTimes late = times;
     late.deadTimeV = late.deadTimeW = 0.8;
-    const MotionNetwork network = velocityBlueprint(RobotTraits{"test", {}, 0, false}, {"1"}, late);
-    const Nanoseconds memory = InputReader(network).lookBack();
-    ASSERT_EQ(memory, 2000 * ms);
-    for (const double seconds : {8.0, 30.0}) {
-        const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, seconds, 5)};
-        const auto samples = motionSamples(logs, network, {});
-        ASSERT_TRUE(samples);
-        EXPECT_EQ(samples->samples.front().start, memory) << "the first command is of the instant 0";
+    const RobotTraits traits{"test", {}, 0, false};
+    for (const auto& [network, memory] :
+         {std::pair{velocityBlueprint(traits, {"1"}, late), 2000 * ms}, {limited(traits, {"1"}, times), 2700 * ms}}) {
+        ASSERT_EQ(InputReader(network).lookBack(), memory);
+        for (const double seconds : {8.0, 30.0}) {
+            const std::vector<Log> logs{drivenLog(KinematicModel(laggedRobot(), 20 * ms), 1, seconds, 5)};
+            const auto samples = motionSamples(logs, network, {});
+            ASSERT_TRUE(samples);
+            EXPECT_EQ(samples->samples.front().start, memory) << "the first command is of the instant 0";
+        }
     }
 }
 

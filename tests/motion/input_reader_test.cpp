@@ -1,5 +1,6 @@
 #include "motion/input_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -132,8 +133,7 @@ TEST(InputReader, ReadsCommandsAsTheDriveFollowsThem) {
     };
     const auto jumping = read();
     network.limits.accelerationV = 1;
-    EXPECT_EQ(InputReader(network).lookBack(), 300 * ms);
-    EXPECT_EQ(InputReader(network).lookBackAtFirst(), 2700 * ms);  // where a ramp began that may still last
+    EXPECT_EQ(InputReader(network).lookBack(), 2700 * ms);  // where a ramp began that may still last
     const auto ramped = read();
     EXPECT_NEAR(ramped[0], (0.1 * 0.2 + 0.1 * 0.25) / 0.2, 1e-14);
     EXPECT_EQ(ramped[1], jumping[1]);
@@ -152,33 +152,53 @@ TEST(InputReader, ReadsCommandsAsTheDriveFollowsThem) {
     EXPECT_NE(read()[0], ramped[0]);
 }
 
-/// Worlds keep no more commands than are read; rollouts of logs and patterns know them all.
 TEST(InputReader, WhatIsFollowedIsRememberedAsTheWholeHistoryTellsIt) {
-    MotionNetwork network = readingNothing();
-    for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
-        network.inputs.insert(network.inputs.end(), {inputOf(quantity, 0.2, 0.25), inputOf(quantity, 0.25, 0.45)});
-    network.limits = {0.5, 2, 0.5, 0.17};
-    const InputReader reader(network);
-    const Nanoseconds period = network.period;
-    CommandHistory all;
-    InputReader::Followed followed;
-    for (int i = 0; i < 100; ++i) {
-        all.issue(i * period + 7 * ms, {0.6 * uniformNoise({1, i, 0, 0}) - 0.2, normalNoise({1, i, 0, 1})});
-        const Nanoseconds start = (i + 1) * period;
-        CommandHistory kept;  // what is in force no more where reading begins is forgotten
-        for (std::size_t c = 0; c < all.size(); ++c)
-            if (c + 1 == all.size() || all.issueTime(c + 1) > start - reader.lookBack())
-                kept.issue(all.issueTime(c), all.command(c));
-        std::array<float, 4> told{}, remembered{}, forgotten{};
-        reader.read({&all, start, velocity}, 0, told.data());
-        reader.read({&kept, start, velocity}, 0, remembered.data(), &followed);
-        ASSERT_TRUE(followed.known);
-        for (std::size_t k = 0; k < told.size(); ++k) ASSERT_NEAR(remembered[k], told[k], 1e-6) << i << ", input " << k;
-        reader.read({&kept, start, velocity}, 0, forgotten.data());
-        if (i == 99) {
-            EXPECT_GT(std::abs(forgotten[1] - told[1]), 0.01);
+    for (const double begin : {0.0, 0.2}) {  // what is read is shorter than a period, and longer
+        MotionNetwork network = readingNothing();
+        for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
+            network.inputs.insert(network.inputs.end(), {inputOf(quantity, begin, begin + 0.02),
+                                                         inputOf(quantity, begin + 0.02, begin + 0.07)});
+        network.limits = {0.5, 2, 0.5, 0.17, 0.3};
+        const InputReader reader(network);
+        network.limits.longestRamp = 99;
+        const InputReader ofAll(network);
+        CommandHistory history;
+        InputReader::Followed followed;
+        double most = 0;
+        for (int i = 0; i < 100; ++i) {
+            const Nanoseconds start = i * network.period;
+            history.issue(start, {0.6 * uniformNoise({1, i, 0, 0}) - 0.2, normalNoise({1, i, 0, 1})});
+            std::array<double, 4> told{}, remembered{}, forgotten{};
+            ofAll.readRaw({&history, start, velocity}, 0, told.data());
+            reader.readRaw({&history, start, velocity}, 0, remembered.data(), &followed);
+            reader.readRaw({&history, start, velocity}, 0, forgotten.data());
+            for (std::size_t k = 0; k < told.size(); ++k) {
+                ASSERT_NEAR(remembered[k], told[k], 1e-12) << i << ", input " << k;
+                most = std::max(most, std::abs(forgotten[k] - told[k]));
+            }
         }
+        EXPECT_GT(most, 0.05) << "it need not be remembered";
     }
+}
+
+/// As where a robot's period is another one from now on.
+TEST(InputReader, WhatIsFollowedAtAnotherInstantIsNotRead) {
+    MotionNetwork network = readingNothing();
+    network.inputs = {inputOf(Quantity::commandV, 0.1, 0.3)};
+    network.limits = {0.5, 2, 0, 0};
+    const InputReader reader(network);
+    CommandHistory history;
+    history.issue(0, {0.5, 0});
+    InputReader::Followed followed;
+    double told = 0, read = 0;
+    reader.readRaw({&history, 500 * ms, velocity}, 0, &read, &followed);
+    followed.command = {9, 9};
+    reader.readRaw({&history, 650 * ms, velocity}, 0, &read, &followed);
+    reader.readRaw({&history, 650 * ms, velocity}, 0, &told);
+    EXPECT_EQ(read, told);
+    followed.command = {9, 9};
+    reader.readRaw({&history, 750 * ms, velocity}, 0, &read, &followed);
+    EXPECT_GT(read, 5);
 }
 
 TEST(InputReader, WhatWasReachedLongAgoDoesNotMatterToTheLastBit) {

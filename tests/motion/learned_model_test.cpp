@@ -120,19 +120,49 @@ TEST_P(LearnedModelOfBothForms, GivesTheSameBitsAloneAndInAnyBatch) {
     for (int i = 0; i < 150; ++i) histories.push_back(someHistory(i));
     std::vector<MotionInput> inputs;
     for (int i = 0; i < 150; ++i) inputs.push_back({&histories[std::size_t(i)], (300 + i) * ms, {0.01 * i, -0.02 * i}});
-    std::vector<MotionStep> batch(inputs.size());
-    model.predict(inputs, batch);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const MotionStep alone = model.predictOne(inputs[i]);
-        EXPECT_EQ(alone.increment, batch[i].increment) << i;
-        EXPECT_EQ(alone.velocity, batch[i].velocity) << i;
+    std::vector<std::vector<std::byte>> together(inputs.size(), std::vector<std::byte>(model.memorySize())),
+        apart = together;
+    for (int period = 0; period < 3; ++period) {
+        std::vector<MotionStep> batch(inputs.size());
+        for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].memory = together[i];
+        model.predict(inputs, batch);
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            inputs[i].memory = apart[i];
+            const MotionStep alone = model.predictOne(inputs[i]);
+            EXPECT_EQ(alone.increment, batch[i].increment) << i;
+            EXPECT_EQ(alone.velocity, batch[i].velocity) << i;
+            EXPECT_EQ(apart[i], together[i]) << i;
+            inputs[i].start += model.period();
+        }
     }
+}
+
+TEST(LearnedModel, SaysWhatItsDriveFollows) {
+    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
+    network.limits = {0.5, 2, 0, 0};
+    const LearnedModel model(std::make_shared<const LearnedMotion>(network), "a");
+    double read = 0;  // s: the oldest that inputs are made from
+    for (const NetworkInput& input : network.inputs)
+        if (input.fromCommands()) read = std::max(read, input.oldest);
+    CommandHistory history;
+    history.issue(0, {0.4, -1});
+    std::vector<std::byte> memory(model.memorySize());
+    model.predictOne({&history, fromSeconds(read) + 100 * ms, {}, memory});
+    MemoryEntries entries;
+    model.explain(memory, entries);
+    const auto said = std::move(entries).all();
+    const auto of = [&](std::string_view name) {
+        const auto found = std::ranges::find_if(said, [&](const MemoryEntry& entry) { return entry.name == name; });
+        return found == said.end() ? 99.0 : found->value;
+    };
+    EXPECT_NEAR(of("followed_v"), 0.5 * 0.2, 1e-12);  // where the next period begins to read, 0.2 s after the command
+    EXPECT_NEAR(of("followed_w"), -2 * 0.2, 1e-12);
 }
 
 /// What a world keeps of the commands beside what a rollout of a log knows.
 TEST(LearnedModel, FollowsCommandsThatAWorldNoLongerKeeps) {
     MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
-    network.limits = {0.2, 0.5, 0.5, 0.165, 2};
+    network.limits = {0.2, 0.5, 0.5, 0.165, 0.3};
     const LearnedModel model(std::make_shared<const LearnedMotion>(network), "a");
     std::vector<std::byte> ofWorld(model.memorySize()), ofLog = ofWorld;
     CommandHistory all;

@@ -116,6 +116,8 @@ TEST(NetworkFile, NamesFileLineAndKeyOfWhatDoesNotFit) {
                 testing::HasSubstr("motion.limits.acceleration_v_mps2"));
     EXPECT_THAT(limits("longest_ramp_s = 1.5", "longest_ramp_s = 2.5"),
                 testing::HasSubstr("motion.limits.longest_ramp_s"));
+    EXPECT_THAT(limits("acceleration_v_mps2 = 0.55\nacceleration_w_radps2 = 4.7\n", ""),
+                testing::HasSubstr("motion.limits.longest_ramp_s"));
     EXPECT_THAT(limits("wheel_speed_mps = 0.5", "wheel_speed_mps = 0"),
                 testing::HasSubstr("motion.limits.wheel_speed_mps"));
     EXPECT_THAT(limits("half_track_m = 0.165\n", ""), testing::HasSubstr("motion.limits.half_track_m: is missing"));
