@@ -23,6 +23,7 @@ namespace {
 constexpr std::size_t fewestRows = 50;
 /// Levenberg and Marquardt's method is fast up to about so many patterns.
 constexpr std::size_t manyRows = 40'000, someRows = 10'000;
+constexpr double weightDecay = 1e-3;
 constexpr int knotsAlone = 16, knotsInPairs = 9;  // of a table's axes
 constexpr double roughness = 1e-4;
 constexpr int mostNeighbours = 32;
@@ -147,17 +148,54 @@ private:
         return std::nullopt;
     }
 
-    std::optional<Regressor> ensemble() {
-        std::vector<Mlp> members;
-        const bool many = data_.rows() > manyRows;
-        TrainingOptions options;
-        options.method = many ? TrainingMethod::irpropPlus : TrainingMethod::levenbergMarquardt;
-        options.epochs = many ? 3000 : 500;
-        options.validateEvery = many ? 10 : 1;
-        options.patience = many ? 300 : 60;
+    /// How a network is learned: the first is best where the inputs say nearly all, the second where they say little
+    /// and rows are few.
+    std::vector<TrainingOptions> waysToTrain() const {
+        TrainingOptions decaying;
+        decaying.epochs = 1500;
+        decaying.patience = 200;
+        decaying.weightDecay = weightDecay;
+        TrainingOptions exact;
+        exact.method = TrainingMethod::levenbergMarquardt;
+        exact.epochs = 500;
+        exact.validateEvery = 1;
+        exact.patience = 60;
         // Of few rows all count for the matrix.
-        if (data_.rows() <= someRows) options.levenbergMarquardt.matrixEvery = 1;
-        network_.learned.training.method = nameOf(options.method);
+        if (data_.rows() <= someRows) exact.levenbergMarquardt.matrixEvery = 1;
+        TrainingOptions plain;
+        plain.epochs = 3000;
+        plain.patience = 300;
+        if (data_.rows() > manyRows) return {plain};
+        return {exact, decaying};
+    }
+
+    struct Ensemble {
+        std::vector<Mlp> members;
+        double error = 0;  ///< the sum of theirs, each of the part that it was learned without
+        int epochs = 0;
+    };
+
+    /// The way of training that predicts best what each member was learned without.
+    std::optional<Regressor> ensemble() {
+        const std::vector<TrainingOptions> ways = waysToTrain();
+        std::optional<Ensemble> best;
+        for (std::size_t way = 0; way < ways.size(); ++way) {
+            std::optional<Ensemble> trained = ensembleBy(ways[way], [&](double share) {
+                return goesOn((static_cast<double>(way) + share) / static_cast<double>(ways.size()));
+            });
+            if (!trained) return std::nullopt;
+            if (best && best->error <= trained->error) continue;
+            best = std::move(trained);
+            network_.learned.training.method = nameOf(ways[way].method);
+        }
+        network_.learned.training.epochs = best->epochs;
+        network_.learned.members = membersOf(best->members);
+        return mergedMean(best->members);
+    }
+
+    template <class MayGoOn>
+    std::optional<Ensemble> ensembleBy(const TrainingOptions& options, const MayGoOn& mayGoOnAt) const {
+        Ensemble ensemble;
         std::optional<OutputContrasts> contrasts;
         if (!data_.variants.empty()) contrasts.emplace(all().targets, network_.learned.outputs);
         const auto patterns = [&](int which, bool held) {
@@ -173,15 +211,15 @@ private:
             SquaredError objective(shape, learned, held);
             Mlp network = randomMlp(shape, {.seed = 64 * how_.seed + static_cast<std::uint64_t>(member)});
             TrainingResult result = train(objective, network.parameters, options, [&](const TrainingProgress& at) {
-                return goesOn((member + static_cast<double>(at.epoch) / options.epochs) / how_.members);
+                return mayGoOnAt((member + static_cast<double>(at.epoch) / options.epochs) / how_.members);
             });
             if (result.end == TrainingEnd::stopped) return std::nullopt;
             if (!result.parameters.empty()) network.parameters = std::move(result.parameters);
-            network_.learned.training.epochs += result.epochs;
-            members.push_back(contrasts ? contrasts->undone(network) : std::move(network));
+            ensemble.error += result.validationError;
+            ensemble.epochs += result.epochs;
+            ensemble.members.push_back(contrasts ? contrasts->undone(network) : std::move(network));
         }
-        network_.learned.members = membersOf(members);
-        return mergedMean(members);
+        return ensemble;
     }
 
     /// A sum of grids: of each input alone, and of each pair.

@@ -143,6 +143,27 @@ TEST(TaskLearningTest, ANetworkHasAnOutputForEachVariant) {
     }
 }
 
+/// Of few rows with much noise, and many inputs that say nothing, learning all that can be learned is too much.
+TEST(TaskLearningTest, TrainsInTheWayThatPredictsBetter) {
+    const auto exact = learnTask(synthetic(1500), {.hidden = 10, .members = 2});
+    ASSERT_TRUE(exact) << exact.error().message();
+    EXPECT_EQ(exact->learned.training.method, "lm");
+
+    constexpr std::size_t idle = 20;
+    const TaskData few = synthetic(300, 1);
+    TaskData noisy = few;
+    noisy.x.clear();
+    for (std::size_t i = 0; i < idle; ++i) noisy.inputs.push_back("idle " + std::to_string(i));
+    for (std::size_t row = 0; row < few.rows(); ++row) {
+        noisy.x.insert(noisy.x.end(), few.x.begin() + 3 * row, few.x.begin() + 3 * (row + 1));
+        for (std::size_t i = 0; i < idle; ++i)
+            noisy.x.push_back(normalNoise({3, static_cast<std::uint32_t>(row / 2), static_cast<std::uint32_t>(i), 0}));
+    }
+    const auto decayed = learnTask(noisy, {.hidden = 12, .members = 2});
+    ASSERT_TRUE(decayed) << decayed.error().message();
+    EXPECT_EQ(decayed->learned.training.method, "irprop+");
+}
+
 TEST(TaskLearningTest, WhatNoFileHoldsIsRefused) {
     TaskData data{.inputs = std::vector<std::string>(300, "i"), .target = "t"};
     for (std::uint32_t trial = 1; trial <= 100; ++trial) {
