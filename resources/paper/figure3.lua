@@ -1,6 +1,6 @@
 -- The paper's figures 3a to 3c: a robot approaches a ball at the wall, stops before it, and turns fast towards the field's centre; and
 -- what comes of it. All four show the same part of the field. Pictures are made in the current folder; repeat runs this where the window is built.
---   mrose-gui --offscreen ball_off_the_wall.toml --trial 8 --script figure3.lua
+--   mrose-gui --offscreen ball_off_the_wall.toml --trial 17 --script figure3.lua
 to_start()
 layer_grid(false)
 select("player")

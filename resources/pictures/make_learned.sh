@@ -11,7 +11,7 @@ out=$PWD
 palette="+dither -colors 255 -strip"
 (
     cd "$work"
-    "$programs/mrose-gui" --offscreen ball_off_the_wall.toml --trial 8 --size 1000x700 --script "$here/../paper/figure3.lua"
+    "$programs/mrose-gui" --offscreen ball_off_the_wall.toml --trial 17 --size 1000x700 --script "$here/../paper/figure3.lua"
     for letter in a b c d; do
         convert figure3$letter.png -gravity NorthWest -pointsize 34 -fill '#333333' -annotate +16+10 $letter frame_$letter.png
     done
