@@ -132,7 +132,7 @@ TEST(ShippedNetworks, PioneerMeetsItsBoundsOnDrivesItHasNotSeen) {
     EXPECT_EQ(windows, 100u);
     EXPECT_GE(switches, 10u);
     EXPECT_LT(error / path, 2.0);
-    EXPECT_GT(error / path, 0.8) << "better than its own runs agree";
+    EXPECT_GT(error / path, 0.64) << "better than the best prediction of repeated runs could be";
     EXPECT_GE(pioneer->network().training.patterns, 100'000);
 }
 

@@ -197,10 +197,10 @@ TEST_F(ComparisonDialogTest, TakesOverStartLengthBoundAndModels) {
     std::filesystem::copy_file(sourceFolder() / "nets/create.net", other);
     ASSERT_NO_FATAL_FAILURE(open({log, ""}, RolloutPlan{RolloutPlan::Cut::every, 1.5, 4, 20.0}));
     overlay.models().add(other);
-    overlay.setBound({{0.03, 7 / degrees}, false});
+    overlay.setBound({{0.005, 7 / degrees}, false});
     settleOverlay();
     expectTheOneOf({"compare", "--log", log, "--start", "1.5", "--duration", "20.0", "--every", "4.0",
-                    "--bound-position", "0.03", "--bound-heading", "7.0", "--model", other});
+                    "--bound-position", "0.005", "--bound-heading", "7.0", "--model", other});
     expectTheWindowsDivergences();
     overlay.setBound({{}, true});
     ASSERT_TRUE(overlay.setPlan({RolloutPlan::Cut::once, 0, 8}));
