@@ -1,6 +1,7 @@
 #include "identification/motion_samples.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "identification/held_out_part.h"
 #include "logs/pose_grid.h"
@@ -68,7 +69,7 @@ private:
         CommandHistory history;
         std::size_t issued = 0;
         SampleRun run{out_.samples.size(), 0, robot_, -1, phase};
-        followed_ = {};
+        std::size_t reached = 0;
         const auto close = [&] {
             if (run.count > 0) out_.runs.push_back(run);
             run = {out_.samples.size(), 0, robot_, -1, phase};
@@ -84,6 +85,9 @@ private:
             }
             if (run.count > 0 && foldOf(start) != run.fold) close();
             run.fold = foldOf(start);
+            // What is remembered of commands that lie in another fold is forgotten with them.
+            const std::size_t before = std::exchange(reached, pastsReached(start, run.fold));
+            if (reached < before) followed_ = {};
             add(history, i);
             ++run.count;
             markReaches(start, run);
@@ -91,9 +95,17 @@ private:
         close();
     }
 
+    bool reaches(const Past& past, Nanoseconds start, int fold) const {
+        return past.fold != fold && past.end > start - reader_.lookBack();
+    }
+    std::size_t pastsReached(Nanoseconds start, int fold) const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(pasts_, [&](const Past& past) { return reaches(past, start, fold); }));
+    }
+
     void markReaches(Nanoseconds start, SampleRun& run) const {
         for (const Past& past : pasts_) {
-            if (past.fold == run.fold || past.end <= start - reader_.lookBack()) continue;
+            if (!reaches(past, start, run.fold)) continue;
             auto reach = std::find_if(run.reaches.begin(), run.reaches.end(),
                                       [&](const SampleRun::Reach& r) { return r.fold == past.fold; });
             if (reach == run.reaches.end()) reach = run.reaches.insert(reach, {past.fold, 0});
@@ -131,7 +143,7 @@ private:
     MotionSamples& out_;
     PoseGrid fine_;
     Nanoseconds guard_;               ///< left out at the beginning of a block
-    InputReader::Followed followed_;  ///< since the run began: nothing before it is read
+    InputReader::Followed followed_;  ///< from pattern to pattern of a run; its first one tells it from older commands
 };
 
 /// What a trajectory's commands cover before its own truth: other trajectories of the robot.

@@ -29,8 +29,11 @@ public:
     };
     bool ramps() const { return limits_.ramps() && commands_.size() > 0; }
 
-    /// How far before a period's start it reads commands. Of a drive that ramps so far only where it is not known what
-    /// it follows, which is then computed from them.
+    /// s: what rollouts and worlds of logs know of commands before they begin. A ramp is told from no more.
+    static constexpr double mostKnown = 3;
+
+    /// How far before a period's start it may read commands. Of a drive that ramps so far only where nothing is
+    /// remembered: the oldest of these commands then tell what it follows where inputs begin.
     Nanoseconds lookBack() const { return fromSeconds(toldFrom_); }
 
     /// Index of a robot by its name, -1 for one that the network was not learned from.
@@ -93,7 +96,7 @@ private:
     ActuatorLimits limits_;
     double period_;                    ///< s
     double oldest_;                    ///< s: inputs are made from nothing older
-    double toldFrom_;                  ///< s: what is followed then is told from nothing older
+    double toldFrom_;                  ///< s: lookBack()
     std::vector<std::size_t> places_;  ///< of the inputs among the values
     std::vector<double> means_, inverseScales_;
     double halfTrack_;   ///< m

@@ -11,7 +11,7 @@
 namespace mrose {
 namespace {
 
-/// The longest dead time that a model may read back, generously.
+/// As much as a model may read back, generously (InputReader::mostKnown).
 constexpr Nanoseconds before = 3 * nanosecondsPerSecond;
 /// A robot whose log has ended is commanded to stand, as soon as its last command could have been followed by another.
 constexpr Nanoseconds after = nanosecondsPerSecond / 2;

@@ -148,9 +148,9 @@ private:
         return std::nullopt;
     }
 
-    /// How a network is learned: the first is best where the inputs say nearly all, the second where they say little
-    /// and rows are few.
+    /// Of many rows in one way.
     std::vector<TrainingOptions> waysToTrain() const {
+        if (data_.rows() > manyRows) return {{.epochs = 3000, .patience = 300}};
         TrainingOptions decaying;
         decaying.epochs = 1500;
         decaying.patience = 200;
@@ -162,10 +162,6 @@ private:
         exact.patience = 60;
         // Of few rows all count for the matrix.
         if (data_.rows() <= someRows) exact.levenbergMarquardt.matrixEvery = 1;
-        TrainingOptions plain;
-        plain.epochs = 3000;
-        plain.patience = 300;
-        if (data_.rows() > manyRows) return {plain};
         return {exact, decaying};
     }
 

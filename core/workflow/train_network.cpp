@@ -187,6 +187,9 @@ Expected<TrainedNetwork> learnFrom(const LearningLogs& opened, const TrainReques
     sampling.heldOut = data->holdOut;
     sampling.folds = request.folds;
     sampling.phases = givenOr(request.phases, recipe.phases);
+    if (blueprint.period % sampling.phases != 0)
+        return fail({}, "do not divide the control period of " + numberText(toSeconds(blueprint.period)) + " s evenly",
+                    0, "--phases " + std::to_string(sampling.phases));
     auto samples = motionSamples(data->logs, blueprint, sampling);
     if (!samples) return atFile(samples.error(), first);
     const std::vector<TrackerOffset> trackers = removeTrackerOffsets(*samples);

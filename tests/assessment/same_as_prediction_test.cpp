@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Models, SameAsPrediction,
 TEST(SameAsPrediction, OfADriveThatRamps) {
     auto network = loadNetwork(sourceFolder() / "nets" / "pioneer.net");
     ASSERT_TRUE(network) << network.error().message();
-    network->limits = {0.5, 5.3, 0.5, 0.18, 2};
+    network->limits = {0.3, 3, 0.5, 0.18, 2.4};
     const Models models{
         std::make_shared<const LearnedModel>(std::make_shared<const LearnedMotion>(std::move(*network)), "any")};
     const Log log = logOf({obedientTrajectory(0, 12 * second, [](double t) {

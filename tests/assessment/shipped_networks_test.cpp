@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -132,7 +133,7 @@ TEST(ShippedNetworks, PioneerMeetsItsBoundsOnDrivesItHasNotSeen) {
     EXPECT_EQ(windows, 100u);
     EXPECT_GE(switches, 10u);
     EXPECT_LT(error / path, 2.0);
-    EXPECT_GT(error / path, 0.64) << "better than the best prediction of repeated runs could be";
+    EXPECT_GT(error / path, 0.9 / std::numbers::sqrt2) << "repeated runs are 0.9 % apart: better than any mean";
     EXPECT_GE(pioneer->network().training.patterns, 100'000);
 }
 

@@ -1,6 +1,8 @@
 #include "identification/held_out_part.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -177,6 +179,49 @@ TEST(MotionSamplesOfContinuedWindows, WhatIsLearnedFromReadsNothingOfTheFoldThat
     EXPECT_EQ(cut, 14)
         << "the first window of each group but the first one, at both phases, where the group before is held out";
     EXPECT_EQ(whole, 4 * 32 - 32 - 14);
+}
+
+/// Commands that change so often that a drive which ramps never catches up: what it follows depends on all of them.
+Log restless(Log log, const std::function<bool(Nanoseconds)>& otherwise) {
+    for (Trajectory& trajectory : log.robots[0].trajectories)
+        for (StampedCommand& command : trajectory.commands) {
+            const Nanoseconds phase = (command.time + (otherwise(command.time) ? 250 * ms : 0)) % (700 * ms);
+            command.command.v = phase < 400 * ms ? 0.5 : -0.5;
+        }
+    return log;
+}
+
+TEST(MotionSamplesOfContinuedWindows, WhatADriveFollowsDoesNotCarryOverFromTheFoldThatIsHeldOut) {
+    MotionNetwork network = velocityBlueprint({}, {"1"}, {});
+    network.limits = {0.4, 0, 0, 0, 1};
+    const InputReader reader(network);
+    ASSERT_TRUE(reader.ramps());
+    const SampleOptions options{.phases = 2, .folds = 4};
+    const auto samplesOf = [&](const Log& log) { return motionSamples(std::vector<Log>{log}, network, options); };
+    const Log windows = continuedWindows(16);
+    const auto samples = samplesOf(restless(windows, [](Nanoseconds) { return false; }));
+    ASSERT_TRUE(samples);
+    std::size_t afterReaching = 0, reading = 0;
+    for (int heldOut = 0; heldOut < 4; ++heldOut) {
+        // But for the last command of a fold, which is in force when the next one begins.
+        const auto garbled = samplesOf(restless(windows, [&](Nanoseconds time) {
+            return static_cast<int>(time / (4000 * ms)) % 4 == heldOut && time % (4000 * ms) < 3950 * ms;
+        }));
+        ASSERT_TRUE(garbled);
+        for (const SampleRun& run : samples->runs) {
+            if (run.fold == heldOut) continue;
+            const std::size_t first = run.firstLearned(heldOut);
+            for (std::size_t i = 0; i < run.count; ++i) {
+                const auto ours = samples->inputsOf(run.first + i), theirs = garbled->inputsOf(run.first + i);
+                const bool equal = std::ranges::equal(ours, theirs);
+                EXPECT_TRUE(equal || i < first) << "fold " << run.fold << ", pattern " << i << " of " << run.count;
+                reading += equal ? 0 : 1;
+            }
+            afterReaching += first > 0 ? run.count - first : 0;
+        }
+    }
+    EXPECT_GT(afterReaching, 20u);
+    EXPECT_GT(reading, 20u) << "what was commanded in the other fold does not matter";
 }
 
 /// A long trajectory with a sensor of each kind, which report every 100 ms.

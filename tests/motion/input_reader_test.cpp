@@ -158,10 +158,10 @@ TEST(InputReader, WhatIsFollowedIsRememberedAsTheWholeHistoryTellsIt) {
         for (const Quantity quantity : {Quantity::commandV, Quantity::commandW})
             network.inputs.insert(network.inputs.end(), {inputOf(quantity, begin, begin + 0.02),
                                                          inputOf(quantity, begin + 0.02, begin + 0.07)});
-        network.limits = {0.5, 2, 0.5, 0.17, 0.3};
+        network.limits = {1.2, 5, 0.5, 0.17, 0.1};
         const InputReader reader(network);
         network.limits.longestRamp = 99;
-        const InputReader ofAll(network);
+        const InputReader ofAll(network);  // of 3 s, in which what was followed before is forgotten
         CommandHistory history;
         InputReader::Followed followed;
         double most = 0;
@@ -181,7 +181,7 @@ TEST(InputReader, WhatIsFollowedIsRememberedAsTheWholeHistoryTellsIt) {
     }
 }
 
-/// As where a robot's period is another one from now on.
+/// As where a run goes on with another tick, and a robot decides in the middle of its period.
 TEST(InputReader, WhatIsFollowedAtAnotherInstantIsNotRead) {
     MotionNetwork network = readingNothing();
     network.inputs = {inputOf(Quantity::commandV, 0.1, 0.3)};

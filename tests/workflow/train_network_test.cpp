@@ -71,6 +71,12 @@ TEST_F(TrainWorkflow, WhatIsMissingIsKnownBeforeItLearns) {
     EXPECT_NE(notes[0].find("cut off"), std::string::npos) << notes[0];
 }
 
+TEST_F(TrainWorkflow, PhasesDivideTheControlPeriod) {
+    TrainRequest request = training(log(), "");
+    request.phases = 3;
+    expectError(trainNetwork(request), "", {"--phases 3: do not divide the control period of 0.1 s evenly"});
+}
+
 TEST_F(TrainWorkflow, LevenbergMarquardtNeedsSingleSteps) {
     TrainRequest request = training(log(), "");
     request.method = TrainingMethod::levenbergMarquardt;
