@@ -28,7 +28,7 @@ struct RolloutStart {
 
 struct RolloutOptions {
     Nanoseconds step = 100'000'000;                    ///< of the output; a whole multiple of the model's period
-    Nanoseconds lead = 3'000'000'000LL;                ///< commands known to the model before the start
+    Nanoseconds lead = commandsKnownBefore;            ///< commands known to the model before the start
     std::optional<std::uint64_t> seed = std::nullopt;  ///< of the run in which noise is drawn; none: the mean is wanted
     Nanoseconds tick = 20'000'000;                     ///< that run's
 };

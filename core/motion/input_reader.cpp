@@ -69,7 +69,8 @@ InputReader::InputReader(const MotionNetwork& network)
       limits_(network.limits),
       period_(toSeconds(network.period)),
       oldest_(std::max({commands_.oldest(), wheels_.oldest(), ramps() ? period_ : 0})),
-      toldFrom_(ramps() ? std::max(oldest_, std::min(oldest_ + limits_.longestRamp, mostKnown)) : oldest_),
+      toldFrom_(ramps() ? std::max(oldest_, std::min(oldest_ + limits_.longestRamp, toSeconds(commandsKnownBefore)))
+                        : oldest_),
       halfTrack_(network.wheelPhase.halfTrack),
       perQuantum_(1 / network.wheelPhase.quantum),
       turnOffset_(network.turnOffset),

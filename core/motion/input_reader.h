@@ -29,9 +29,6 @@ public:
     };
     bool ramps() const { return limits_.ramps() && commands_.size() > 0; }
 
-    /// s: what rollouts and worlds of logs know of commands before they begin. A ramp is told from no more.
-    static constexpr double mostKnown = 3;
-
     /// How far before a period's start it may read commands. Of a drive that ramps so far only where nothing is
     /// remembered: the oldest of these commands then tell what it follows where inputs begin.
     Nanoseconds lookBack() const { return fromSeconds(toldFrom_); }

@@ -73,6 +73,9 @@ std::string gainText(const ValidatedMeasure& measure, const Estimate& gain) {
 }
 
 std::string gainWithIntervalText(const ValidatedMeasure& measure, const Estimate& gain, const std::string& minus) {
+    if (!isNone(measure, gain) && gain.low <= 0 && gain.high >= 0)
+        return "no different (" + differenceText(measure, gain, minus) + ", " + intervalText(measure, gain, minus) +
+               ')';
     const bool worse = gain.value < 0 && !isNone(measure, gain);
     return gainText(measure, gain) + " (" + intervalText(measure, worse ? negated(gain) : gain, minus) + ')';
 }

@@ -7,12 +7,11 @@
 #include "io/format.h"
 #include "logs/csv_reader.h"
 #include "logs/pose_grid.h"
+#include "motion/motion_model.h"
 
 namespace mrose {
 namespace {
 
-/// As much as a model may read back, generously (InputReader::mostKnown).
-constexpr Nanoseconds before = 3 * nanosecondsPerSecond;
 /// A robot whose log has ended is commanded to stand, as soon as its last command could have been followed by another.
 constexpr Nanoseconds after = nanosecondsPerSecond / 2;
 
@@ -72,7 +71,7 @@ Expected<ExcerptContent> excerptOf(const Log& log, const LogExcerpt& excerpt) {
         content.commands = changes(whole.commands, start);
         content.commands.front().time = std::max(content.commands.front().time, start);
     } else {
-        content.commands = changes(whole.commands, start - before);
+        content.commands = changes(whole.commands, start - commandsKnownBefore);
         content.start = truthAt(whole.poses, start);
     }
     // Without ground truth the run begins with its first command.

@@ -148,7 +148,7 @@ private:
         return std::nullopt;
     }
 
-    /// Of many rows in one way.
+    /// Of these the best stays. Many rows are learned in one way alone.
     std::vector<TrainingOptions> waysToTrain() const {
         if (data_.rows() > manyRows) return {{.epochs = 3000, .patience = 300}};
         TrainingOptions decaying;

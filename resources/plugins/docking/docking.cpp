@@ -22,8 +22,8 @@ class Docking : public mrose::Controller {
 public:
     explicit Docking(mrose::PluginOptions& options)
         : approach_(options.number("approach_m", 0.8)),
-          speed_(options.number("speed_mps", 0.2)),
-          dockSpeed_(options.number("dock_speed_mps", 0.05)),
+          speed_(options.number("speed_mps", 0.07)),
+          dockSpeed_(options.number("dock_speed_mps", 0.04)),
           aside_(options.number("aside_gain", 4)),
           turn_(options.number("turn_gain", 1.5)),
           trust_(options.number("trust", 0.2)),
@@ -77,6 +77,7 @@ public:
 
 private:
     static constexpr double period = 0.1;  // s
+    static constexpr double most = 0.5;    // rad/s: create.net knows 0.57
 
     void localise(const mrose::Observation& observation, Memory& memory) const {
         const mrose::Velocity moved = observation.velocity();
@@ -119,12 +120,12 @@ private:
                 if (length(way) < 0.06) return enter(memory, aligning), mrose::Command{};
                 const double bearing = direction(way);
                 const double ahead = std::abs(bearing) < 0.6 ? std::min(speed_, length(way)) : 0;
-                return {ahead, std::clamp(turn_ * bearing, -1.0, 1.0)};
+                return {ahead, std::clamp(turn_ * bearing, -most, most)};
             }
             case aligning: {
                 const double off = mrose::wrapAngle(std::clamp(-aside_ * at.y, -0.5, 0.5) - at.heading);
                 if (std::abs(off) < 0.05 && memory.lasts > 0.5) return enter(memory, docking), mrose::Command{};
-                return {0, std::clamp(turn_ * off, -0.6, 0.6)};
+                return {0, std::clamp(turn_ * off, -most, most)};
             }
             case docking: {
                 const double off = mrose::wrapAngle(std::clamp(-aside_ * at.y, -0.5, 0.5) - at.heading);
@@ -135,11 +136,11 @@ private:
                 }
                 if (memory.lasts > 30) enter(memory, backingOff);
                 const double ahead = at.x < -0.3 ? std::max(speed_ / 2, dockSpeed_) : dockSpeed_;
-                return {ahead, std::clamp(turn_ * off, -0.5, 0.5)};
+                return {ahead, std::clamp(turn_ * off, -most, most)};
             }
             case backingOff:
                 if (memory.lasts > 3) enter(memory, approaching);
-                return {-0.15, 0};
+                return {-0.07, 0};
             default:  // docked: whether it really is, only the station knows; it tries again where it is not
                 if (memory.lasts > 2) enter(memory, backingOff);
                 return {};
