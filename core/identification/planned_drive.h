@@ -47,7 +47,7 @@ public:
         Nanoseconds start = 0;
         Velocity velocity;  ///< at the start
     };
-    /// Drives it; `each` sees the periods before they are predicted, as the network does that remembers nothing of them.
+    /// Drives it; `each` sees the periods before they are predicted, as a network does that remembers nothing of them.
     template <class Each>
     void drive(const DrivePiece& manoeuvre, Each each) {
         const double period = toSeconds(motion_->network().period);

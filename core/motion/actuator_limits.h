@@ -18,8 +18,8 @@ struct ActuatorLimits {
     /// s: accelerations are sought by which the largest command is reached from standstill within this; and the most of
     /// longestRamp.
     static constexpr double mostRamp = 2.4;
-    /// s, where there are accelerations: for so long before the oldest command that inputs are made from, older ones are
-    /// read where nothing is remembered.
+    /// s, where there are accelerations: for so long before the oldest command that inputs are made from, older ones
+    /// are read where nothing is remembered.
     double longestRamp = mostRamp;
     bool ramps() const { return accelerationV > 0 || accelerationW > 0; }
 

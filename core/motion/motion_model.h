@@ -14,7 +14,7 @@
 
 namespace mrose {
 
-/// So much of the commands before they begin is known to rollouts and worlds of logs. No model should read farther back.
+/// So much of the commands before they begin do rollouts and worlds of logs know. No model should read farther back.
 constexpr Nanoseconds commandsKnownBefore = 3 * nanosecondsPerSecond;
 
 /// What a motion model sees of one robot at the start of a period.
