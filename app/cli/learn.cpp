@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "io/format.h"
 #include "report/program_json.h"
 #include "workflow/learn_task.h"
 
@@ -15,14 +16,16 @@ std::string decimals(double value, int digits) {
 /// What it comes to when a variant is chosen by what was learned.
 void printChoice(const TaskData& data, const TaskJudgement& judgement) {
     const VariantChoice& choice = *judgement.predictors.front().choice;
-    TextTable table({data.target + " of the variants", "mean", "chosen in", "gain by choosing", "95 %"});
+    TextTable table(
+        {data.target + " of the variants", "mean", "sum of |d| / sum", "chosen in", "gain by choosing", "95 %"});
     for (const VariantChoice::Variant& variant : choice.variants)
-        table.add({variant.name, decimals(variant.mean, 3), std::to_string(variant.chosen), decimals(variant.gain, 3),
+        table.add({variant.name, decimals(variant.mean, 3), decimals(100 * variant.share, 2) + " %",
+                   std::to_string(variant.chosen), decimals(variant.gain, 3),
                    decimals(variant.gainInterval.low, 3) + " to " + decimals(variant.gainInterval.high, 3)});
     for (const TaskJudgement::Predictor& predictor : judgement.predictors)
         if (predictor.choice)
-            table.add({"chosen by " + predictor.name, decimals(predictor.choice->mean, 3), "", "", ""});
-    if (choice.oracle) table.add({"best of each trial", decimals(choice.oracle->mean, 3), "", "", ""});
+            table.add({"chosen by " + predictor.name, decimals(predictor.choice->mean, 3), "", "", "", ""});
+    if (choice.oracle) table.add({"best of each trial", decimals(choice.oracle->mean, 3), "", "", "", ""});
     std::fputs(table.text().c_str(), stdout);
     std::printf("%s every variant alone; best alone, in the trials learned from: %s\n",
                 choice.beatsAll() ? "better than" : "not better than", choice.variants[choice.best].name.c_str());
@@ -34,16 +37,28 @@ void printChoice(const TaskData& data, const TaskJudgement& judgement) {
             100 * choice.oracle->closedInterval.high, 100 * choice.oracle->agrees);
 }
 
+/// "; 3 left out, not ended by `until`"; by variant "; 2 trials left out (runs not ended by `until`: 3)".
+std::string leftOut(const TaskData& data) {
+    std::string all;
+    if (data.variants.empty()) {
+        for (const auto& [count, why] :
+             {std::pair(data.unfinished, "not ended by `until`"), std::pair(data.faulty, "ended by a fault"),
+              std::pair(data.unknown, "without numbers")})
+            if (count > 0) all += "; " + std::to_string(count) + " left out, " + why;
+    } else if (data.unknown > 0) {
+        all = "; " + counted(static_cast<std::size_t>(data.unknown), "trial") + " left out";
+        for (const auto& [count, why] :
+             {std::pair(data.unfinished, " (runs not ended by `until`: "), std::pair(data.faulty, " (with faults: ")})
+            if (count > 0) all += why + std::to_string(count) + ')';
+    }
+    return all;
+}
+
 void print(const LearnedTask& learned, const LearnRequest& request) {
     const TaskData& data = learned.data;
     const bool choosing = !data.variants.empty();
-    std::printf("%zu %s, %zu of them held out%s", data.rows(), choosing ? "trials" : "rows",
-                learned.judgement.heldOut.rows(), choosing ? "" : " by trials");
-    for (const auto& [count, why] :
-         {std::pair(data.unfinished, "not ended by `until`"), std::pair(data.faulty, "ended by a fault"),
-          std::pair(data.unknown, choosing ? "trials without all their runs" : "without numbers")})
-        if (count > 0) std::printf("; %lld left out, %s", static_cast<long long>(count), why);
-    std::puts("");
+    std::printf("%zu %s, %zu of them held out%s%s\n", data.rows(), choosing ? "trials" : "rows",
+                learned.judgement.heldOut.rows(), choosing ? "" : " by trials", leftOut(data).c_str());
     TextTable table({data.target + ", held out", "sum of |d| / sum", "95 %", "mean |d|", "rms", "bias"});
     for (const TaskJudgement::Predictor& predictor : learned.judgement.predictors) {
         const TaskScore& score = predictor.score;

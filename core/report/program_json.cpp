@@ -121,6 +121,7 @@ Printed choiceJson(const VariantChoice& choice) {
     for (const VariantChoice::Variant& variant : choice.variants)
         json["variants"].push_back({{"name", variant.name},
                                     {"mean", variant.mean},
+                                    {"share", variant.share},
                                     {"chosen", variant.chosen},
                                     {"gain", variant.gain},
                                     {"gain_low", variant.gainInterval.low},

@@ -56,19 +56,21 @@ std::string choiceSection(const TaskReport& report) {
     const auto& first = report.judgement.predictors.front().choice;
     if (!first) return {};
     HtmlTable table({{"",
-                      {"", cat("mean ", escaped(report.data.target)), "chosen in", "what is learned is better by",
-                       "95 %, paired by trial"}}});
+                      {"", cat("mean ", escaped(report.data.target)), "sum of |error| / sum, %", "chosen in",
+                       "what is learned is better by", "95 %, paired by trial"}}});
     for (const VariantChoice::Variant& variant : first->variants)
-        table.row({escaped(variant.name), fixed(variant.mean, 3), counted(variant.chosen, "trial"),
-                   fixedWithMinus(variant.gain, 3), intervalOf(variant.gainInterval, 1, 3)});
+        table.row({escaped(variant.name), fixed(variant.mean, 3), fixed(100 * variant.share, 2),
+                   counted(variant.chosen, "trial"), fixedWithMinus(variant.gain, 3),
+                   intervalOf(variant.gainInterval, 1, 3)});
     for (const TaskJudgement::Predictor& predictor : report.judgement.predictors)
         if (predictor.choice)
             table.row({cat("chosen as learned: ", escaped(predictor.name)), fixed(predictor.choice->mean, 3), "", "",
+                       "",
                        predictor.choice->oracle
                            ? cat(fixedWithMinus(100 * predictor.choice->oracle->closed, 0), "\u00a0% of the way")
                            : ""});
     if (first->oracle)
-        table.row({"best of each trial", fixed(first->oracle->mean, 3),
+        table.row({"best of each trial", fixed(first->oracle->mean, 3), "",
                    cat("as learned in ", fixed(100 * first->oracle->agrees, 0), "\u00a0%"), "", ""});
     return cat(
         heading("Choosing by it"),

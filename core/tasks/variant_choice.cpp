@@ -1,6 +1,7 @@
 #include "tasks/variant_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace mrose {
@@ -50,10 +51,14 @@ VariantChoice judgeChoice(const TaskData& learnedFrom, const TaskData& judged, c
     choice.best = bestOf(before, greatest);
 
     std::vector<std::vector<double>> of(variants, std::vector<double>(rows));
-    std::vector<double> chosen(rows), oracle(rows), agrees(rows);
+    std::vector<double> chosen(rows), oracle(rows), agrees(rows), errors(variants), values(variants);
     choice.variants.resize(variants);
     for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t k = 0; k < variants; ++k) of[k][row] = judged.y[row * variants + k];
+        for (std::size_t k = 0; k < variants; ++k) {
+            of[k][row] = judged.y[row * variants + k];
+            errors[k] += std::abs(predicted[row * variants + k] - of[k][row]);
+            values[k] += std::abs(of[k][row]);
+        }
         const std::size_t learned = bestOf(std::span(predicted).subspan(row * variants, variants), greatest);
         chosen[row] = of[learned][row];
         ++choice.variants[learned].chosen;
@@ -69,6 +74,7 @@ VariantChoice judgeChoice(const TaskData& learnedFrom, const TaskData& judged, c
         VariantChoice::Variant& variant = choice.variants[k];
         variant.name = judged.variants[k];
         variant.mean = meanOf(of[k]);
+        variant.share = errors[k] / values[k];
         variant.gain = sign * (variant.mean - choice.mean);
         variant.gainInterval = bootstrapInterval(rows, [&](std::span<const std::size_t> drawn) {
             return sign * (meanOf(of[k], drawn) - meanOf(chosen, drawn));

@@ -14,14 +14,14 @@ using Json = nlohmann::json;
 class LearnProgram : public Workshop {
 protected:
     /// Results of two variants, of which the first costs a, the second 1 - a.
-    std::string results() {
+    std::string results(const std::string& endOfTheFirst = "condition") {
         std::string text = "trial,seed,variant,variant_name,end,feature.a,measure.cost,window\n";
         for (int trial = 1; trial <= 200; ++trial)
             for (int variant = 1; variant <= 2; ++variant) {
                 const double a = uniformNoise({1, trial, 0, 0});
                 text += std::to_string(trial) + ",1," + std::to_string(variant) + (variant == 1 ? ",up" : ",down") +
-                        ",condition," + std::to_string(a) + ',' + std::to_string(variant == 1 ? a : 1 - a) +
-                        ",mrose-gui x\n";
+                        "," + (trial == 1 && variant == 1 ? endOfTheFirst : "condition") + ',' + std::to_string(a) +
+                        ',' + std::to_string(variant == 1 ? a : 1 - a) + ",mrose-gui x\n";
             }
         return write("results.csv", text);
     }
@@ -50,9 +50,25 @@ TEST_F(LearnProgram, JsonHoldsWhatIsPrinted) {
     EXPECT_EQ(json["held_out"], 40);
     const Json& choice = json["scores"][0]["choice"];
     EXPECT_NEAR(choice["mean"], 0.25, 0.1);
-    EXPECT_EQ(choice["variants"].size(), 2u);
+    ASSERT_EQ(choice["variants"].size(), 2u);
     EXPECT_GT(choice["variants"][0]["gain_low"], 0);
+    EXPECT_LT(choice["variants"][0]["share"], 0.1) << "of what varies by a half of itself";
     EXPECT_FALSE(choice.contains("oracle")) << "there is one seed alone";
+}
+
+TEST_F(LearnProgram, OfVariantsWholeTrialsAreLeftOutAndSaidOnce) {
+    const auto learnedFrom = [&](const std::string& end, const std::string& how) {
+        const ProgramResult result = runMrose({"learn", results(end), "--target", "cost", how, "--hidden", "2",
+                                               "--members", "2", "--overwrite", "-o", path("choice.net")});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.out.substr(0, result.out.find('\n'));
+    };
+    EXPECT_EQ(learnedFrom("duration", "--by-variant"),
+              "199 trials, 40 of them held out; 1 trial left out (runs not ended by `until`: 1)");
+    EXPECT_EQ(learnedFrom("fault", "--by-variant"),
+              "199 trials, 40 of them held out; 1 trial left out (with faults: 1)");
+    EXPECT_EQ(learnedFrom("duration", "--log"),
+              "399 rows, 80 of them held out by trials; 1 left out, not ended by `until`");
 }
 
 TEST_F(LearnProgram, WhatDoesNotGoTogetherIsRefused) {

@@ -59,6 +59,8 @@ TEST(VariantChoiceTest, WhoKnowsAllReachesTheOracle) {
     EXPECT_EQ(choice.variants[0].chosen, 100u);
     EXPECT_NEAR(choice.variants[0].gain, 0.25, 1e-12);
     EXPECT_NEAR(choice.variants[1].gain, 0.5, 1e-12);
+    EXPECT_EQ(choice.variants[0].share, 0);
+    EXPECT_NEAR(choice.variants[1].share, 0.65 / 1.25, 1e-12) << "off by 0.4 of 0.5, and by 0.9 of 2";
     ASSERT_TRUE(choice.oracle);
     EXPECT_NEAR(choice.oracle->mean, 0.75, 1e-12);
     EXPECT_NEAR(choice.oracle->closed, 1, 1e-12);
