@@ -149,13 +149,28 @@ void findAccelerations(std::span<const Log> logs, const MotionNetwork& blueprint
     if (worth(1)) limits.accelerationW = largest[1] / best.duration[1];
 }
 
+/// Tyres scrub in bends, the more the faster the robot drives: a further column for each part of the history, of the
+/// products of v and w. Without them a wheel's limit would have to explain that, too.
+void addBends(Responses& read, Eigen::Index parts) {
+    const Eigen::MatrixXd v = read.commands[0].leftCols(parts), w = read.commands[1].leftCols(parts);
+    for (std::size_t c = 0; c < read.commands.size(); ++c) {
+        Eigen::MatrixXd& x = read.commands[c];
+        x.conservativeResize(Eigen::NoChange, x.cols() + parts);
+        x.rightCols(parts) = c == 0 ? v.cwiseProduct(w.cwiseAbs()) : w.cwiseProduct(v.cwiseAbs());
+    }
+}
+
 /// By what both channels leave together, each as a share of what it leaves without a limit.
 void findWheelSpeed(std::span<const Log> logs, const MotionNetwork& blueprint, ActuatorLimits& limits) {
     const auto asked = readResponses(logs, blueprint, limits, false);
     if (!asked) return;
-    const Pair without = asked->unexplained();
-    if (!(without[0] > 0 && without[1] > 0)) return;
     const Eigen::Index parts = asked->commands[0].cols() - 1;  // the last column is of ones
+    const auto unexplainedBy = [&](Responses read) {
+        addBends(read, parts);
+        return read.unexplained();
+    };
+    const Pair without = unexplainedBy(*asked);
+    if (!(without[0] > 0 && without[1] > 0)) return;
     struct Trial {
         double halfTrack = 0, share = 1;  ///< m; of the fastest wheel that is asked for
         double unexplained = 2;
@@ -178,7 +193,7 @@ void findWheelSpeed(std::span<const Log> logs, const MotionNetwork& blueprint, A
                 v(period, part) = within.v;
                 w(period, part) = within.w;
             }
-        const Pair squares = cut.unexplained();
+        const Pair squares = unexplainedBy(std::move(cut));
         return squares[0] / without[0] + squares[1] / without[1];
     };
     Trial best;
