@@ -13,7 +13,9 @@ palette="+dither -colors 255 -strip"
     cd "$work"
     "$programs/mrose-gui" --offscreen ball_off_the_wall.toml --trial 17 --size 1000x700 --script "$here/../paper/figure3.lua"
     for letter in a b c d; do
-        convert figure3$letter.png -gravity NorthWest -pointsize 34 -fill '#333333' -annotate +16+10 $letter frame_$letter.png
+        # without the window's frame and much of what lies beyond the wall
+        convert figure3$letter.png -shave 3x3 -gravity North -chop 0x130 -gravity NorthWest -pointsize 34 -fill '#333333' \
+            -annotate +14+6 $letter -bordercolor white -border 4x0 frame_$letter.png
     done
     convert frame_a.png frame_b.png frame_c.png frame_d.png +append -resize 1400x $palette "PNG8:$out/ball_off_the_wall.png"
     "$programs/mrose-gui" --offscreen planner_choice_validation.toml --trial 3042 --variant 'chosen in simulator' --size 1100x720 \
