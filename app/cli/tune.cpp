@@ -60,6 +60,9 @@ void print(const TunedBehaviour& tuned, const TuneRequest& request, double secon
     std::printf("%s, in %u trials held out, with 95 %% intervals: before %s, tuned %s, change %s\n",
                 tuning.costText.c_str(), tuning.options.heldOut, withInterval(evidence.before).c_str(),
                 withInterval(evidence.after).c_str(), withInterval(evidence.change).c_str());
+    if (tuned.summary.unfamiliar)
+        if (const std::string note = tuned.summary.unfamiliar->note(); !note.empty())
+            std::printf("Note: %s\n", note.c_str());
     std::printf(
         "%zu candidates, %lld evaluations, in %s%s; %s/settings.toml, report.html written\n", result.candidates.size(),
         static_cast<long long>(result.evaluations), durationText(seconds).c_str(),

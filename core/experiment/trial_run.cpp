@@ -27,12 +27,12 @@ namespace {
 /// From a start; `asked` is the moment at which features are asked.
 Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledExpressions& compiled,
                                    TrialMeasurement measurement, const Moment& asked, const Scenario& scenario,
-                                   const WorldState& start, const GoesOn& goesOn) {
+                                   const WorldState& start, const GoesOn& goesOn, bool countsUnfamiliar) {
     if (const auto begun = measurement.begin(asked); !begun) return tl::unexpected(begun.error());
     RunOptions options;
     options.duration = scenario.parts().duration;
     options.endOnFault = true;
-    options.countsUnfamiliar = false;  // rows do not say it
+    options.countsUnfamiliar = countsUnfamiliar;
     options.watchFollows = compiled.follows;
     options.every = ticksBetweenLooks(experiment, scenario.scene());
     options.drawn = asked.drawn;
@@ -55,14 +55,15 @@ TrialMeasurement measurementOf(const Experiment& experiment, CompiledExpressions
 }  // namespace
 
 Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const Scenario& scenario,
-                                  const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn) {
+                                  const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn,
+                                  bool countsUnfamiliar) {
     WorldState start = scenario.initialState(seed);
     const std::vector<RobotInsight> none(start.robots.size());
     const Moment atStart{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
     const auto compiled = expressions.of(atStart);
     if (!compiled) return tl::unexpected(compiled.error());
     return measuredFrom(experiment, **compiled, measurementOf(experiment, **compiled, scenario), atStart, scenario,
-                        start, goesOn);
+                        start, goesOn, countsUnfamiliar);
 }
 
 Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const BranchPoint& point,
@@ -75,7 +76,7 @@ Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions
     TrialMeasurement measurement = measurementOf(experiment, **compiled, variant);
     if (point.isReached())
         return measuredFrom(experiment, **compiled, std::move(measurement), atBranch, variant,
-                            branchedState(point, variant, seed), goesOn);
+                            branchedState(point, variant, seed), goesOn, false);  // rows do not say it
     measurement.skip();
     RunResult result = point.before;
     if (result.end == RunEnd::duration) result.end = RunEnd::noBranch;

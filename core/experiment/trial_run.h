@@ -46,10 +46,11 @@ struct MeasuredRun {
     RunResult result;
     TrialMeasurement measurement;
 };
-/// Runs a variant of a trial with a seed, until it is over. `goesOn` is asked after every tick; may be empty. Error: an
-/// expression cannot be answered.
+/// Runs a variant of a trial with a seed, until it is over. `goesOn` is asked after every tick; may be empty.
+/// `countsUnfamiliar`: as of RunOptions. Error: an expression cannot be answered.
 Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const Scenario& scenario,
-                                  const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn);
+                                  const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn,
+                                  bool countsUnfamiliar = false);
 /// The same from where a trial branches; where it does not, its end is RunEnd::noBranch, or the fault before.
 Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const BranchPoint& point,
                                   const Scenario& variant, std::uint64_t seed, const GoesOn& goesOn);

@@ -156,6 +156,8 @@ std::string tuningJson(const Tuning& tuning, const TuningSummary& summary, const
                             {"before", interval(evidence.before)},
                             {"after", interval(evidence.after)},
                             {"change", interval(evidence.change)}};
+        if (summary.unfamiliar)
+            json["unfamiliar"] = {{"before", summary.unfamiliar->before}, {"tuned", summary.unfamiliar->tuned}};
         json["settings"] = folder + "/settings.toml";
         json["report"] = folder + "/report.html";
     }

@@ -17,6 +17,9 @@
 namespace mrose {
 namespace {
 
+// Of those held out, in which it is counted how unfamiliar the driving is.
+constexpr std::uint32_t watchedTrials = 40;
+
 std::string candidateName(std::size_t candidate) { return "candidate " + std::to_string(candidate + 1); }
 
 /// Runs of candidates, on any thread.
@@ -57,9 +60,59 @@ public:
         return all;
     }
 
+    /// For how much of the time some robot is driven as its network has not learned, in trials each with their first
+    /// seed. Less than all of them where it was stopped.
+    Expected<double> unfamiliarShare(std::size_t candidate, const std::vector<double>& values, std::uint32_t first,
+                                     std::uint32_t count) {
+        begin(candidate, values);
+        std::int64_t ticks = 0, unfamiliar = 0;
+        parallelFor(count, [&](std::size_t i) {
+            if (stop_) return;
+            auto place = places_.take();
+            const auto number = first + static_cast<std::uint32_t>(i);
+            if (const auto scenario = scenarioOf(*place, number)) {
+                const RunKey key = keyOf(number, 0);
+                if (options_.begins) options_.begins(key);
+                const auto measured = measuredRun(
+                    experiment_, place->expressions, scenario->scenario, scenario->drawn, key.seed,
+                    [this] { return goesOn(); }, true);
+                const std::lock_guard lock(mutex_);
+                if (!measured) return failNow(measured.error());
+                ticks += measured->result.statistics.ticks;
+                unfamiliar += measured->result.statistics.anyUnfamiliar;
+            }
+            places_.giveBack(std::move(place));
+        });
+        if (error_) return tl::unexpected(*error_);
+        return ticks > 0 ? static_cast<double>(unfamiliar) / static_cast<double>(ticks) : 0;
+    }
+
     void best(double cost) { best_ = cost; }
+    bool stopped() const { return stop_; }
 
 private:
+    struct DrawnScenario {
+        Scenario scenario;
+        DrawnValues drawn;
+    };
+    /// nullopt: it does not fit, which ends all.
+    std::optional<DrawnScenario> scenarioOf(Workplace& place, std::uint32_t number) {
+        auto trial = place.maker.make(number);
+        if (!trial) {
+            Error error = trial.error();
+            error.cause += ", with" + changes_;
+            fail(error);
+            return std::nullopt;
+        }
+        ScenarioParts& parts = trial->scenarios.front().parts;
+        if (options_.loaded) options_.loaded(parts);
+        return DrawnScenario{Scenario(std::move(parts)), std::move(trial->drawn)};
+    }
+    bool goesOn() {
+        if (!stop_ && options_.goesOn && !options_.goesOn()) stop_ = true;
+        return !stop_;
+    }
+
     void begin(std::size_t candidate, const std::vector<double>& values) {
         number_ = static_cast<std::uint32_t>(candidate) + 1;
         if (named_.variants.size() < number_) named_.variants.resize(number_);
@@ -89,15 +142,8 @@ private:
     }
 
     void runTrial(Workplace& place, std::uint32_t number) {
-        auto trial = place.maker.make(number);
-        if (!trial) {
-            Error error = trial.error();
-            error.cause += ", with" + changes_;
-            return fail(error);
-        }
-        ScenarioParts& parts = trial->scenarios.front().parts;
-        if (options_.loaded) options_.loaded(parts);
-        const Scenario scenario(std::move(parts));
+        const auto trial = scenarioOf(place, number);
+        if (!trial) return;
         for (std::uint32_t k = 0; k < experiment_.seeds && !stop_; ++k) {
             const RunKey key = keyOf(number, k);
             {
@@ -105,13 +151,12 @@ private:
                 if (file_.has(key)) continue;
             }
             if (options_.begins) options_.begins(key);
-            const auto measured = measuredRun(experiment_, place.expressions, scenario, trial->drawn, key.seed,
-                                              [this] { return !stop_ && (!options_.goesOn || options_.goesOn()); });
+            const auto measured = measuredRun(experiment_, place.expressions, trial->scenario, trial->drawn, key.seed,
+                                              [this] { return goesOn(); });
             if (!measured) return fail(measured.error());
-            if (measured->result.end == RunEnd::stopped) stop_ = true;
             const std::lock_guard lock(mutex_);
             if (stop_) return;
-            if (const auto kept = file_.add(key, rowOf(key, trial->drawn, *measured, scenario)); !kept)
+            if (const auto kept = file_.add(key, rowOf(key, trial->drawn, *measured, trial->scenario)); !kept)
                 return failNow(kept.error());
         }
         progress(1);
@@ -178,6 +223,12 @@ private:
 
 }  // namespace
 
+std::string UnfamiliarDriving::note() const {
+    if (tuned < RunStatistics::notableShare) return "";
+    return "tuned, in " + fixed(100 * tuned, 0) + " % of the time some robot is driven as its network has not " +
+           "learned (before in " + fixed(100 * before, 0) + " %)";
+}
+
 Expected<TuningSummary> runTuning(const Tuning& tuning, const TuningOptions& options,
                                   const std::filesystem::path& folder) {
     {
@@ -206,8 +257,16 @@ Expected<TuningSummary> runTuning(const Tuning& tuning, const TuningOptions& opt
     if (!result) return tl::unexpected(result.error());
     summary.result = std::move(*result);
     summary.runs = static_cast<std::int64_t>(file->rows().size());
-    if (summary.result.complete)
-        if (const auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
+    if (!summary.result.complete) return summary;
+    if (const auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
+    const auto shareOf = [&](std::size_t candidate) {
+        return runs.unfamiliarShare(candidate, summary.result.candidates[candidate].values, tuning.options.trials + 1,
+                                    std::min(tuning.options.heldOut, watchedTrials));
+    };
+    const auto now = shareOf(0), tuned = shareOf(summary.result.best);
+    if (!now) return tl::unexpected(now.error());
+    if (!tuned) return tl::unexpected(tuned.error());
+    if (!runs.stopped()) summary.unfamiliar = {*now, *tuned};
     return summary;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "experiment/results_file.h"
@@ -28,10 +29,19 @@ struct TuningOptions {
     GoesOn goesOn = {};
 };
 
+/// For how much of the time some robot was driven as its network has not learned, from 0 to 1.
+struct UnfamiliarDriving {
+    double before = 0, tuned = 0;
+
+    /// Of what was tuned, where that is worth one: "tuned, in 12 % of the time ..."; else "".
+    std::string note() const;
+};
+
 struct TuningSummary {
     TunerResult result;
-    std::int64_t resumed = 0;  ///< runs found done
-    std::int64_t runs = 0;     ///< all that are done now: trials by seeds, those held out too
+    std::optional<UnfamiliarDriving> unfamiliar;  ///< in the first of the trials held out, of a complete result
+    std::int64_t resumed = 0;                     ///< runs found done
+    std::int64_t runs = 0;                        ///< all that are done now: trials by seeds, those held out too
 };
 
 /// Tunes in the trials of an experiment. Each run's row is kept at once in `folder`/results.part.csv, of the variant

@@ -55,6 +55,9 @@ Expected<void> writeFiles(const Tuning& tuning, const TuningSummary& summary, co
         context.notices.push_back("Nothing better than what is now was found.");
     else if (evidence.change.high >= 0)
         context.notices.push_back("The interval of the change holds 0: these trials do not show a gain.");
+    if (summary.unfamiliar)
+        if (std::string note = summary.unfamiliar->note(); !note.empty())
+            context.notices.push_back("T" + note.substr(1) + ".");
     const std::filesystem::path folder = request.folder;
     const NamedFile files[] = {
         {folder / tuningFiles[0],

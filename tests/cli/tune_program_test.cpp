@@ -49,6 +49,26 @@ TEST_F(TuneProgram, WritesSettingsCandidatesAndAPage) {
     EXPECT_LT(again["held_out"]["change"]["high"], 0);
 }
 
+TEST_F(TuneProgram, SaysWhereWhatIsTunedDrivesAsItsNetworkHasNotLearned) {
+    const ProgramResult known = tune("kinematic");
+    EXPECT_EQ(known.status, 0) << known.err;
+    EXPECT_THAT(known.out, testing::Not(HasSubstr("Note: ")));
+    EXPECT_EQ(told(tune("kinematic", {"--json"}))["unfamiliar"]["tuned"], 0);
+    // Which drove up to 0.086 m/s: a metre in 4 s is beyond, and what it begins with is not.
+    write("r.toml", replaced(read("r.toml"), "[kinematics]\n[motion_noise]\ndistance_per_distance = 0.05\n",
+                             "[motion]\nnetwork = \"create.net\"\n"));
+    write("t.toml", std::string(Lane::head) + Lane::budget + Lane::speed + "start = 0.06\n");
+    const ProgramResult beyond = tune("learned");
+    EXPECT_EQ(beyond.status, 0) << beyond.err;
+    const Json shares = told(tune("learned", {"--json"}))["unfamiliar"];
+    EXPECT_LT(shares["before"], 0.1);
+    EXPECT_GT(shares["tuned"], 0.8);
+    EXPECT_THAT(beyond.out, HasSubstr("Note: tuned, in "));
+    EXPECT_THAT(beyond.out,
+                HasSubstr(" % of the time some robot is driven as its network has not learned (before in "));
+    EXPECT_THAT(read("learned/report.html"), HasSubstr("some robot is driven as its network has not learned"));
+}
+
 TEST_F(TuneProgram, SettingsAreForRunsBatchesAndExperiments) {
     ASSERT_EQ(tune("out").status, 0);
     const std::string settings = path("out/settings.toml"), scenario = path("s.toml");
