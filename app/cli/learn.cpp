@@ -19,7 +19,7 @@ void printChoice(const TaskData& data, const TaskJudgement& judgement) {
     TextTable table(
         {data.target + " of the variants", "mean", "sum of |d| / sum", "chosen in", "gain by choosing", "95 %"});
     for (const VariantChoice::Variant& variant : choice.variants)
-        table.add({variant.name, decimals(variant.mean, 3), decimals(100 * variant.share, 2) + " %",
+        table.add({variant.name, decimals(variant.mean, 3), fixed(100 * variant.share, 2) + " %",
                    std::to_string(variant.chosen), decimals(variant.gain, 3),
                    decimals(variant.gainInterval.low, 3) + " to " + decimals(variant.gainInterval.high, 3)});
     for (const TaskJudgement::Predictor& predictor : judgement.predictors)
@@ -47,9 +47,10 @@ std::string leftOut(const TaskData& data) {
             if (count > 0) all += "; " + std::to_string(count) + " left out, " + why;
     } else if (data.unknown > 0) {
         all = "; " + counted(static_cast<std::size_t>(data.unknown), "trial") + " left out";
-        for (const auto& [count, why] :
-             {std::pair(data.unfinished, " (runs not ended by `until`: "), std::pair(data.faulty, " (with faults: ")})
-            if (count > 0) all += why + std::to_string(count) + ')';
+        std::string runs;
+        if (data.unfinished > 0) runs = "runs not ended by `until`: " + std::to_string(data.unfinished);
+        if (data.faulty > 0) runs += (runs.empty() ? "runs " : ", ") + ("with faults: " + std::to_string(data.faulty));
+        if (!runs.empty()) all += " (" + runs + ')';
     }
     return all;
 }

@@ -13,13 +13,13 @@
 namespace mrose {
 namespace {
 
-/// "; it has "camera", "laser"": those that look for subjects.
+/// "; it has "camera", "laser"": those that look for subjects, with what the log lacks.
 std::string sensorsText(const Log& log) {
     std::string text;
     for (const std::string& name : sensorNames(log))
         if (std::ranges::any_of(log.robots, [&](const RobotLog& robot) { return hasLooks(robot, name); }))
             text += (text.empty() ? "; it has \"" : ", \"") + name + '"';
-    return text.empty() ? "; it has no readings of landmarks or robots" : text;
+    return log.withIncomplete(text.empty() ? "; it has no readings of landmarks or robots" : text);
 }
 
 Expected<std::vector<std::size_t>> chosenRobots(const Log& log, const std::string& sensor,
@@ -132,9 +132,12 @@ Expected<LoggedCases> loggedCases(const Log& log, const std::string& sensor, std
     if (cases.cases.empty())
         return fail(log.source, std::string("has no ") + what + " that \"" + sensor + "\" of " + robotsText(cases) +
                                     " had before it while it is known where the robot was");
-    if (std::ranges::none_of(cases.cases, &LoggedCase::sound))
-        return fail(log.source, "\"" + sensor + "\" of " + robotsText(cases) + " reported no " + what +
-                                    " near where it truly was: nothing to judge errors by");
+    std::int64_t readings = 0, gross = 0;
+    for (const LoggedCases::Robot& robot : cases.robots) readings += robot.readings, gross += robot.gross;
+    if (readings == 0)
+        return fail(log.source, log.withIncomplete("\"" + sensor + "\" of " + robotsText(cases) + " reported no " +
+                                                   what + ": nothing to judge errors by"));
+    if (2 * gross > readings) return fail(log.source, misfitCause(sensor, gross, readings));
     return cases;
 }
 

@@ -51,7 +51,8 @@ Expected<QueryPlace> placeOf(const SensorQuery& query, SensorMeasures measures, 
     if (ofSubject) {
         const auto subject = std::ranges::find(log.subjects, query.subject, &LogSubject::name);
         if (subject == log.subjects.end())
-            return fail(fileName, "the log " + log.source + " has no subject " + query.subject, query.line, "subject");
+            return fail(fileName, log.withIncomplete("the log " + log.source + " has no subject " + query.subject),
+                        query.line, "subject");
         place.subject = static_cast<std::size_t>(subject - log.subjects.begin());
     }
     const auto trajectory = trajectoryAt(*robot, query.time);

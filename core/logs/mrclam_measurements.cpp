@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -120,6 +121,29 @@ SensorLog cameraOf(const std::vector<BarcodeReading>& rows, const BarcodeSubject
     return camera;
 }
 
+// Now and then a camera misreads a barcode: so few of a robot's readings are no sign of a wrong file.
+constexpr std::size_t fewUnknown = 5;
+constexpr double fewUnknownShare = 0.01;
+
+/// What to say of readings whose barcodes nobody carries; "" of few.
+std::string unknownText(const std::vector<BarcodeReading>& rows, const BarcodeSubjects& subjects,
+                        const std::string& file, const std::function<int(std::size_t)>& lineOf) {
+    std::map<int, std::size_t> first;  // row, by barcode
+    std::size_t count = 0, least = rows.size();
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (subjects.contains(rows[row].barcode)) continue;
+        ++count;
+        first.emplace(rows[row].barcode, row);
+        least = std::min(least, row);
+    }
+    if (count <= fewUnknown || static_cast<double>(count) <= fewUnknownShare * static_cast<double>(rows.size()))
+        return "";
+    return file + ':' + std::to_string(lineOf(least)) + ": barcode " + std::to_string(rows[least].barcode) +
+           (first.size() > 1 ? ", and " + counted(first.size() - 1, "other") + ", are nobody's in "
+                             : std::string(" is nobody's in ")) +
+           barcodeFile + ": " + std::to_string(count) + " of " + counted(rows.size(), "reading") + " dropped.";
+}
+
 std::filesystem::path measurementFile(const std::filesystem::path& folder, const RobotLog& robot) {
     return folder / ("Robot" + robot.robot + "_Measurement.dat");
 }
@@ -138,9 +162,13 @@ Expected<void> readCamera(Log& log, RobotLog& robot, const std::filesystem::path
     }
     Trajectory& trajectory = robot.trajectories.front();
     SensorLog camera = cameraOf(*rows, subjects, defects);
+    const auto lineOf = [&](std::size_t row) {
+        return MrclamRows<BarcodeRow, 4>(*content, path.string(), measurementLayout).lineOf(row);
+    };
     if (!sharesTime(camera, trajectory))
-        return fail(path.string(), otherTimeCause(camera, trajectory),
-                    MrclamRows<BarcodeRow, 4>(*content, path.string(), measurementLayout).lineOf(0), "time");
+        return fail(path.string(), otherTimeCause(camera, trajectory), lineOf(0), "time");
+    if (std::string unknown = unknownText(*rows, subjects, path.filename().string(), lineOf); !unknown.empty())
+        log.incomplete.push_back(std::move(unknown));
     trajectory.sensors.push_back(std::move(camera));
     return {};
 }

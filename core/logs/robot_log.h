@@ -101,6 +101,10 @@ struct Log {
     /// What should be there and is not, a sentence each: a file that is empty or missing, the end of one that is cut
     /// off. The rest is as sound as ever.
     std::vector<std::string> incomplete = {};
+    /// A cause that it may explain, with the first of these sentences.
+    std::string withIncomplete(std::string cause) const {
+        return incomplete.empty() ? cause : std::move(cause) + ". " + incomplete.front();
+    }
     std::vector<LogSubject> subjects = {};  ///< what readings are of
     /// Files of readings and subjects. They are not among `files`, by which motion networks know their logs: data sets
     /// share such files.

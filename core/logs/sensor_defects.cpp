@@ -19,6 +19,12 @@ static_assert(sizeof(SensorDefects) == std::size(sensorCounts) * sizeof(std::int
 
 std::span<const SensorDefectCount> sensorDefectCounts() { return sensorCounts; }
 
+std::string misfitCause(const std::string& sensor, std::int64_t gross, std::int64_t readings) {
+    return "the readings of \"" + sensor + "\" do not fit the ground truth: " + std::to_string(gross) + " of " +
+           std::to_string(readings) +
+           " are more than 1 m or 0.15 rad off; are their stamps of another clock, or columns swapped?";
+}
+
 void addDefects(SensorDefects& sum, const SensorDefects& more) {
     for (const SensorDefectCount& count : sensorCounts) sum.*count.count += more.*count.count;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "logs/measurements.h"
 
@@ -14,6 +15,9 @@ struct SensorDefectCount {
 };
 /// Of all of them.
 std::span<const SensorDefectCount> sensorDefectCounts();
+
+/// Of a sensor whose readings mostly lie more than 1 m or 0.15 rad off the ground truth, and what may be wrong then.
+std::string misfitCause(const std::string& sensor, std::int64_t gross, std::int64_t readings);
 
 void addDefects(SensorDefects& sum, const SensorDefects& more);
 

@@ -65,19 +65,20 @@ std::string intervalText(const ValidatedMeasure& measure, const Estimate& estima
            numberOf(shown(measure, estimate.high), decimals, minus);
 }
 
+constexpr const char* noDifference = "no different";
+
 std::string gainText(const ValidatedMeasure& measure, const Estimate& gain) {
     if (!std::isfinite(gain.value)) return "not known";
-    if (isNone(measure, gain)) return "as good";
+    if (isNone(measure, gain) || (gain.low <= 0 && gain.high >= 0)) return noDifference;
     const std::string number = fixed(std::abs(shown(measure, gain.value)), decimalsOf(measure, gain));
     return (gain.value < 0 ? "worse by " : "better by ") + withUnit(measure, number);
 }
 
 std::string gainWithIntervalText(const ValidatedMeasure& measure, const Estimate& gain, const std::string& minus) {
-    if (!isNone(measure, gain) && gain.low <= 0 && gain.high >= 0)
-        return "no different (" + differenceText(measure, gain, minus) + ", " + intervalText(measure, gain, minus) +
-               ')';
-    const bool worse = gain.value < 0 && !isNone(measure, gain);
-    return gainText(measure, gain) + " (" + intervalText(measure, worse ? negated(gain) : gain, minus) + ')';
+    const std::string text = gainText(measure, gain);
+    if (text == noDifference)
+        return text + " (" + differenceText(measure, gain, minus) + ", " + intervalText(measure, gain, minus) + ')';
+    return text + " (" + intervalText(measure, gain.value < 0 ? negated(gain) : gain, minus) + ')';
 }
 
 std::string survivesText(const MeasureValidation& of, const std::string& minus) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace mrose {
@@ -74,7 +75,7 @@ VariantChoice judgeChoice(const TaskData& learnedFrom, const TaskData& judged, c
         VariantChoice::Variant& variant = choice.variants[k];
         variant.name = judged.variants[k];
         variant.mean = meanOf(of[k]);
-        variant.share = errors[k] / values[k];
+        variant.share = values[k] > 0 ? errors[k] / values[k] : std::numeric_limits<double>::quiet_NaN();
         variant.gain = sign * (variant.mean - choice.mean);
         variant.gainInterval = bootstrapInterval(rows, [&](std::span<const std::size_t> drawn) {
             return sign * (meanOf(of[k], drawn) - meanOf(chosen, drawn));

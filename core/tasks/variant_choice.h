@@ -24,7 +24,7 @@ struct VariantChoice {
     struct Variant {
         std::string name;
         double mean = 0;         ///< of the target, where it is always chosen
-        double share = 0;        ///< sum of absolute errors of what is predicted of it over sum of absolute values
+        double share = 0;        ///< sum of absolute errors of what is predicted of it over sum of values; NaN of zeros
         std::size_t chosen = 0;  ///< in how many trials what is learned chooses it
         double gain = 0;         ///< by how much what is learned does better than it
         Interval gainInterval;

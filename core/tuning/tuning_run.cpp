@@ -61,29 +61,33 @@ public:
     }
 
     /// For how much of the time some robot is driven as its network has not learned, in trials each with their first
-    /// seed. Less than all of them where it was stopped.
-    Expected<double> unfamiliarShare(std::size_t candidate, const std::vector<double>& values, std::uint32_t first,
-                                     std::uint32_t count) {
+    /// seed. nullopt: no network says; of what was stopped() it is of no use.
+    Expected<std::optional<double>> unfamiliarShare(std::size_t candidate, const std::vector<double>& values,
+                                                    std::uint32_t first, std::uint32_t count) {
         begin(candidate, values);
         std::int64_t ticks = 0, unfamiliar = 0;
+        bool known = false;
         parallelFor(count, [&](std::size_t i) {
             if (stop_) return;
             auto place = places_.take();
             const auto number = first + static_cast<std::uint32_t>(i);
-            if (const auto scenario = scenarioOf(*place, number)) {
-                const RunKey key = keyOf(number, 0);
-                if (options_.begins) options_.begins(key);
-                const auto measured = measuredRun(
-                    experiment_, place->expressions, scenario->scenario, scenario->drawn, key.seed,
-                    [this] { return goesOn(); }, true);
-                const std::lock_guard lock(mutex_);
-                if (!measured) return failNow(measured.error());
-                ticks += measured->result.statistics.ticks;
-                unfamiliar += measured->result.statistics.anyUnfamiliar;
-            }
+            const auto trial = scenarioOf(*place, number);
+            if (!trial) return;
+            const RunKey key = keyOf(number, 0);
+            if (options_.begins) options_.begins(key);
+            const auto measured = measuredRun(
+                experiment_, place->expressions, trial->scenario, trial->drawn, key.seed, [this] { return goesOn(); },
+                true);
+            if (!measured) return fail(measured.error());
             places_.giveBack(std::move(place));
+            const RunStatistics& statistics = measured->result.statistics;
+            const std::lock_guard lock(mutex_);
+            ticks += statistics.ticks;
+            unfamiliar += statistics.anyUnfamiliar;
+            known = known || std::ranges::any_of(statistics.unfamiliar, [](const auto& of) { return of.has_value(); });
         });
         if (error_) return tl::unexpected(*error_);
+        if (!known) return std::nullopt;
         return ticks > 0 ? static_cast<double>(unfamiliar) / static_cast<double>(ticks) : 0;
     }
 
@@ -225,8 +229,8 @@ private:
 
 std::string UnfamiliarDriving::note() const {
     if (tuned < RunStatistics::notableShare) return "";
-    return "tuned, in " + fixed(100 * tuned, 0) + " % of the time some robot is driven as its network has not " +
-           "learned (before in " + fixed(100 * before, 0) + " %)";
+    return "Tuned, in " + fixed(100 * tuned, 0) + " % of the time some robot is driven as its network has not " +
+           "learned (before in " + fixed(100 * before, 0) + " %).";
 }
 
 Expected<TuningSummary> runTuning(const Tuning& tuning, const TuningOptions& options,
@@ -258,15 +262,20 @@ Expected<TuningSummary> runTuning(const Tuning& tuning, const TuningOptions& opt
     summary.result = std::move(*result);
     summary.runs = static_cast<std::int64_t>(file->rows().size());
     if (!summary.result.complete) return summary;
-    if (const auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
     const auto shareOf = [&](std::size_t candidate) {
         return runs.unfamiliarShare(candidate, summary.result.candidates[candidate].values, tuning.options.trials + 1,
                                     std::min(tuning.options.heldOut, watchedTrials));
     };
-    const auto now = shareOf(0), tuned = shareOf(summary.result.best);
+    const auto now = shareOf(0);
     if (!now) return tl::unexpected(now.error());
+    const auto tuned = *now && summary.result.best != 0 ? shareOf(summary.result.best) : now;
     if (!tuned) return tl::unexpected(tuned.error());
-    if (!runs.stopped()) summary.unfamiliar = {*now, *tuned};
+    if (runs.stopped()) {
+        summary.result.complete = false;
+        return summary;
+    }
+    if (*now && *tuned) summary.unfamiliar = {**now, **tuned};
+    if (const auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
     return summary;
 }
 

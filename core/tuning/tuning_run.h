@@ -33,15 +33,16 @@ struct TuningOptions {
 struct UnfamiliarDriving {
     double before = 0, tuned = 0;
 
-    /// Of what was tuned, where that is worth one: "tuned, in 12 % of the time ..."; else "".
+    /// Of what was tuned, where that is worth one: "Tuned, in 12 % of the time ..."; else "".
     std::string note() const;
 };
 
 struct TuningSummary {
     TunerResult result;
-    std::optional<UnfamiliarDriving> unfamiliar;  ///< in the first of the trials held out, of a complete result
-    std::int64_t resumed = 0;                     ///< runs found done
-    std::int64_t runs = 0;                        ///< all that are done now: trials by seeds, those held out too
+    /// In the first trials held out, each with its first seed, of a complete result. nullopt: no motion network says.
+    std::optional<UnfamiliarDriving> unfamiliar;
+    std::int64_t resumed = 0;  ///< runs found done
+    std::int64_t runs = 0;     ///< all that are done now: trials by seeds, those held out too
 };
 
 /// Tunes in the trials of an experiment. Each run's row is kept at once in `folder`/results.part.csv, of the variant

@@ -22,10 +22,16 @@ Expected<PredictedReadings> predictReadings(const PredictReadingsRequest& reques
     if (!log) return tl::unexpected(log.error());
     auto queries = readQueries(request.queries, measures);
     if (!queries) return tl::unexpected(queries.error());
+    for (const std::string& robot : request.robots)
+        if (std::ranges::find(log->robots, robot, &RobotLog::robot) == log->robots.end())
+            return fail(log->source, "has no robot \"" + robot + '"');
     if (!request.robots.empty())
         std::erase_if(*queries, [&](const SensorQuery& query) {
             return std::ranges::find(request.robots, query.robot) == request.robots.end();
         });
+    if (queries->empty())
+        return fail(request.queries,
+                    request.robots.empty() ? "asks nothing" : "asks nothing of the robots of --robots");
     const LearnedSensor sensor(std::move(*network));
     const auto predictions = predictQueries(sensor, LoggedView(*log), *queries, request.queries);
     if (!predictions) return tl::unexpected(predictions.error());

@@ -8,6 +8,7 @@
 #include "identification/sensor_summary.h"
 #include "io/format.h"
 #include "logs/log_lookup.h"
+#include "logs/sensor_defects.h"
 #include "workflow/learning_logs.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
@@ -50,10 +51,11 @@ void lookAround(SensorNetwork& blueprint, SensorSampleOptions& sampling, const s
 Expected<void> checkHolds(const Log& log, const std::string& sensor) {
     const std::vector<std::string> names = sensorNames(log);
     if (std::ranges::find(names, sensor) != names.end()) return {};
-    if (names.empty()) return fail(log.source, "holds no measurements, of which a sensor could be learned");
+    if (names.empty())
+        return fail(log.source, log.withIncomplete("holds no measurements, of which a sensor could be learned"));
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return fail(log.source, "has no sensor \"" + sensor + "\"; it has " + all);
+    return fail(log.source, log.withIncomplete("has no sensor \"" + sensor + "\"; it has " + all));
 }
 
 bool holdsRobot(const Log& log, const std::string& robot) {
@@ -115,14 +117,12 @@ SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary
 
 /// Of readings that are mostly off the ground truth.
 Expected<void> checkFits(const SensorSummary& found, const std::string& log, const std::string& sensor) {
-    std::string why;
-    if (2 * found.gross > found.known)
-        why = std::to_string(found.gross) + " of " + std::to_string(found.known) + " are more than 1 m or 0.15 rad off";
-    else if (found.readings == 0 && 2 * found.strayPoses > found.poses)
-        why = "they show " + fixed(std::max(0.0, 100 * found.followed), 0) + " % of how the robot truly moved";
-    if (why.empty()) return {};
-    return fail(log, "the readings of \"" + sensor + "\" do not fit the ground truth: " + why +
-                         "; are their stamps of another clock?");
+    if (2 * found.gross > found.known) return fail(log, misfitCause(sensor, found.gross, found.known));
+    if (found.readings == 0 && 2 * found.strayPoses > found.poses)
+        return fail(log, "the readings of \"" + sensor + "\" do not fit the ground truth: they show " +
+                             fixed(std::max(0.0, 100 * found.followed), 0) +
+                             " % of how the robot truly moved; are their stamps of another clock?");
+    return {};
 }
 
 }  // namespace

@@ -56,8 +56,7 @@ Expected<void> writeFiles(const Tuning& tuning, const TuningSummary& summary, co
     else if (evidence.change.high >= 0)
         context.notices.push_back("The interval of the change holds 0: these trials do not show a gain.");
     if (summary.unfamiliar)
-        if (std::string note = summary.unfamiliar->note(); !note.empty())
-            context.notices.push_back("T" + note.substr(1) + ".");
+        if (std::string note = summary.unfamiliar->note(); !note.empty()) context.notices.push_back(std::move(note));
     const std::filesystem::path folder = request.folder;
     const NamedFile files[] = {
         {folder / tuningFiles[0],

@@ -1,5 +1,5 @@
 # How often the robot that went for the ball was the fastest, from the rows of who_is_fastest.toml:
-#   awk -f fastest.awk fastest/results.csv
+#   awk -f resources/experiments/fastest.awk fastest/results.csv
 # Within the noise: not slower than the fastest by more than two standard errors of both means over the copies, or 0.15 s.
 BEGIN { FS = "," }
 NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }

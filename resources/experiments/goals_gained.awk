@@ -1,5 +1,5 @@
 # Goals of the team that chooses by the learned time and of the other one, a game, from the rows of p_against_nearest.toml:
-#   awk -f goals_gained.awk matches/results.csv
+#   awk -f resources/experiments/goals_gained.awk matches/results.csv
 # Each trial is played both ways: the difference is that of their mean, with its 95 % interval over trials.
 BEGIN { FS = "," }
 NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }

@@ -66,7 +66,7 @@ TEST_F(LearnProgram, OfVariantsWholeTrialsAreLeftOutAndSaidOnce) {
     EXPECT_EQ(learnedFrom("duration", "--by-variant"),
               "199 trials, 40 of them held out; 1 trial left out (runs not ended by `until`: 1)");
     EXPECT_EQ(learnedFrom("fault", "--by-variant"),
-              "199 trials, 40 of them held out; 1 trial left out (with faults: 1)");
+              "199 trials, 40 of them held out; 1 trial left out (runs with faults: 1)");
     EXPECT_EQ(learnedFrom("duration", "--log"),
               "399 rows, 80 of them held out by trials; 1 left out, not ended by `until`");
 }

@@ -78,6 +78,21 @@ TEST_F(MrclamMeasurements, AreLooksOfSubjects) {
     EXPECT_EQ(log.measurementFiles.size(), 4u);
 }
 
+TEST_F(MrclamMeasurements, BarcodesOfNobodyAreSaidWhereTheyAreMany) {
+    std::string more = measurements;
+    for (int i = 0; i < 8; ++i)
+        more += "1248444191." + std::to_string(i) + "00 " + (i < 6 ? "61" : "62") + " 1.5 0.5\n";
+    folder.write(2, "Measurement", more);
+    EXPECT_THAT(
+        read().incomplete,
+        testing::ElementsAre("Robot2_Measurement.dat:4: barcode 43, and 2 others, are nobody's in Barcodes.dat: "
+                             "9 of 11 readings dropped."));
+    for (int i = 0; i < 1000; ++i)
+        more += "12484441" + std::to_string(92 + i / 200) + '.' + std::to_string(200 + i % 200) + " 72 1.5 0.5\n";
+    folder.write(2, "Measurement", more);
+    EXPECT_THAT(read().incomplete, testing::IsEmpty()) << "9 of 1011";
+}
+
 TEST_F(MrclamMeasurements, WithoutThemALogIsAsItWas) {
     for (const char* number : {"1", "2"})
         std::filesystem::remove(folder.path() + "/Robot" + number + "_Measurement.dat");

@@ -156,10 +156,15 @@ TEST_F(TrainSensor, OwnPosesArePredictedAsTheModelHasThem) {
     asked.overwrite = true;
     asked.queries = file("of_nobody.csv", "robot,t\nnobody," + secondsText(times[0]) + "\n");
     expectError(predictReadings(asked), asked.queries, {"2", "no robot nobody"});
+    PredictReadingsRequest ofNobody = asked;
+    ofNobody.robots = {"nobody"};
+    expectError(predictReadings(ofNobody), log, {"has no robot \"nobody\""});
     asked.queries = file("too_late.csv", "robot,t\n" + robot + ",99999\n");
     expectError(predictReadings(asked), asked.queries, {"2", "no ground truth"});
     asked.queries = file("without_time.csv", "robot,dataset\n" + robot + ",0\n");
     expectError(predictReadings(asked), asked.queries, {"1", "expected robot,t"});
+    asked.queries = file("none.csv", "robot,t\n");
+    expectError(predictReadings(asked), asked.queries, {"asks nothing"});
 }
 
 TEST_F(TrainSensor, TheGivenLatencyCounts) {
