@@ -1,6 +1,6 @@
 -- A log laid over its simulation: the rollout that is farthest off, where it leaves the real one and why, or how far off it ends. Pictures are made in
 -- the current folder; ./demo runs this where there is no display.
---   mrose-gui --offscreen --script real_log.lua --log MRCLAM_Dataset6
+--   mrose-gui --offscreen --script resources/scripts/real_log.lua --log MRCLAM_Dataset6
 expect(reality("windows") > 0, "rollouts are compared")
 worst(1)
 select(reality("robot"))
