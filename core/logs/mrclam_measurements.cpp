@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -125,22 +124,24 @@ SensorLog cameraOf(const std::vector<BarcodeReading>& rows, const BarcodeSubject
 constexpr std::size_t fewUnknown = 5;
 constexpr double fewUnknownShare = 0.01;
 
+using BarcodeRows = MrclamRows<BarcodeRow, 4>;
+
 /// What to say of readings whose barcodes nobody carries; "" of few.
 std::string unknownText(const std::vector<BarcodeReading>& rows, const BarcodeSubjects& subjects,
-                        const std::string& file, const std::function<int(std::size_t)>& lineOf) {
-    std::map<int, std::size_t> first;  // row, by barcode
-    std::size_t count = 0, least = rows.size();
+                        const std::string& file, const BarcodeRows& lines) {
+    std::set<int> unknown;
+    std::size_t count = 0, first = rows.size();
     for (std::size_t row = 0; row < rows.size(); ++row) {
         if (subjects.contains(rows[row].barcode)) continue;
+        first = std::min(first, row);
+        unknown.insert(rows[row].barcode);
         ++count;
-        first.emplace(rows[row].barcode, row);
-        least = std::min(least, row);
     }
     if (count <= fewUnknown || static_cast<double>(count) <= fewUnknownShare * static_cast<double>(rows.size()))
         return "";
-    return file + ':' + std::to_string(lineOf(least)) + ": barcode " + std::to_string(rows[least].barcode) +
-           (first.size() > 1 ? ", and " + counted(first.size() - 1, "other") + ", are nobody's in "
-                             : std::string(" is nobody's in ")) +
+    return file + ':' + std::to_string(lines.lineOf(first)) + ": barcode " + std::to_string(rows[first].barcode) +
+           (unknown.size() > 1 ? ", and " + counted(unknown.size() - 1, "other") + ", are nobody's in "
+                               : std::string(" is nobody's in ")) +
            barcodeFile + ": " + std::to_string(count) + " of " + counted(rows.size(), "reading") + " dropped.";
 }
 
@@ -162,12 +163,10 @@ Expected<void> readCamera(Log& log, RobotLog& robot, const std::filesystem::path
     }
     Trajectory& trajectory = robot.trajectories.front();
     SensorLog camera = cameraOf(*rows, subjects, defects);
-    const auto lineOf = [&](std::size_t row) {
-        return MrclamRows<BarcodeRow, 4>(*content, path.string(), measurementLayout).lineOf(row);
-    };
+    const BarcodeRows lines(*content, path.string(), measurementLayout);
     if (!sharesTime(camera, trajectory))
-        return fail(path.string(), otherTimeCause(camera, trajectory), lineOf(0), "time");
-    if (std::string unknown = unknownText(*rows, subjects, path.filename().string(), lineOf); !unknown.empty())
+        return fail(path.string(), otherTimeCause(camera, trajectory), lines.lineOf(0), "time");
+    if (std::string unknown = unknownText(*rows, subjects, path.filename().string(), lines); !unknown.empty())
         log.incomplete.push_back(std::move(unknown));
     trajectory.sensors.push_back(std::move(camera));
     return {};
@@ -177,7 +176,7 @@ Expected<void> readCamera(Log& log, RobotLog& robot, const std::filesystem::path
 
 Expected<std::vector<BarcodeReading>> parseMrclamMeasurements(std::string_view content, const std::string& name,
                                                               SensorDefects& defects) {
-    MrclamRows<BarcodeRow, 4> file(content, name, measurementLayout);
+    BarcodeRows file(content, name, measurementLayout);
     const auto rows = file.parse(defects.cutLines);
     if (!rows) return tl::unexpected(rows.error());
     std::vector<BarcodeReading> readings;

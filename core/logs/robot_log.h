@@ -99,7 +99,7 @@ struct Log {
     std::vector<LogFile> files;
     bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
     /// What should be there and is not, a sentence each: a file that is empty or missing, the end of one that is cut
-    /// off. The rest is as sound as ever.
+    /// off, who carries a barcode. The rest is as sound as ever.
     std::vector<std::string> incomplete = {};
     /// A cause that it may explain, with the first of these sentences.
     std::string withIncomplete(std::string cause) const {

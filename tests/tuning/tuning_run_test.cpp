@@ -123,6 +123,28 @@ TEST_F(TuningRunTest, GoesOnAsIfItHadNotBeenInterrupted) {
     EXPECT_EQ(results("parts"), results("whole"));
 }
 
+TEST_F(TuningRunTest, InterruptedWhileItsDrivingIsWatchedItIsNotComplete) {
+    const Tuning lane = tuning();
+    std::atomic<int> begun{0};
+    options_.begins = [&](const RunKey&) { ++begun; };
+    const auto whole = run(lane, "whole");
+    ASSERT_TRUE(whole);
+    const int all = begun.exchange(0);
+    ASSERT_EQ(all, whole->runs + 20) << "the trials held out once more, as what is now";
+    options_.goesOn = [&] { return begun <= all - 10; };
+    const auto part = run(lane, "parts");
+    ASSERT_TRUE(part);
+    EXPECT_FALSE(part->result.complete);
+    EXPECT_EQ(part->runs, whole->runs);
+    EXPECT_EQ(results("parts"), "none");
+    options_.goesOn = {};
+    const auto rest = run(lane, "parts");
+    ASSERT_TRUE(rest);
+    EXPECT_TRUE(rest->result.complete);
+    EXPECT_EQ(rest->resumed, whole->runs);
+    EXPECT_EQ(results("parts"), results("whole"));
+}
+
 TEST_F(TuningRunTest, MoreEvaluationsGoOnAndFewerAreRefused) {
     Tuning lane = tuning();
     const auto first = run(lane);
