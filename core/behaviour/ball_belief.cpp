@@ -6,7 +6,6 @@
 namespace mrose {
 namespace {
 
-constexpr double rollingDeceleration = 0.4;         // m/s2
 constexpr double fastest = 5;                       // m/s
 constexpr double unrest = 0.05;                     // m2/s: how uncertain its place becomes
 constexpr double forgetAfter = 6, missAfter = 0.8;  // s
@@ -17,17 +16,11 @@ double deviationAt(double range) { return 0.03 + range * (0.03 + 0.02 * range); 
 
 }  // namespace
 
-void BallBelief::roll(double seconds) {
-    const double speed = length(velocity);
-    if (speed == 0) return;
-    const double duration = std::min(seconds, speed / rollingDeceleration);
-    position = position + (duration - rollingDeceleration * duration * duration / (2 * speed)) * velocity;
-    velocity = (1 - rollingDeceleration * duration / speed) * velocity;
-}
-
-BallBelief BallBelief::after(double seconds) const {
+BallBelief BallBelief::after(double seconds, const BallFloor& floor) const {
     BallBelief later = *this;
-    later.roll(seconds);
+    const RollingBall rolled = RollingBall{position, velocity}.after(seconds, floor);
+    later.position = rolled.position;
+    later.velocity = rolled.velocity;
     later.variance += unrest * seconds;
     return later;
 }
@@ -53,11 +46,11 @@ void BallBelief::takeIn(const Point& place, Nanoseconds measured, double range) 
     seen = measured;
 }
 
-void BallBelief::update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self) {
+void BallBelief::update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self,
+                        const BallFloor& floor) {
     const double since = known != 0 ? toSeconds(observation.time - time) : 0;
     time = observation.time;
-    roll(since);
-    variance += unrest * since;
+    *this = after(since, floor);
     const bool sighted = !observation.objects().empty() && observation.objects().front().index == 0;
     if (sighted && (known == 0 || observation.objects().front().measured > seen)) {
         const SeenBody& ball = observation.objects().front();

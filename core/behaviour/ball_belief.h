@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "behaviour/own_belief.h"
+#include "behaviour/rolling_ball.h"
 #include "geometry/point.h"
 
 namespace mrose {
@@ -18,13 +19,13 @@ struct BallBelief {
     std::int64_t known;        ///< 0: it has not been seen, or is lost
 
     /// `motion` and `self` have been updated already.
-    void update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self);
-    BallBelief after(double seconds) const;  ///< as it will be if nothing touches it; its time stays
-    Point in(double seconds) const { return after(seconds).position; }
+    void update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self,
+                const BallFloor& floor);
+    /// As it will be if nothing but floor and walls touches it; its time stays.
+    BallBelief after(double seconds, const BallFloor& floor) const;
 
 private:
     void takeIn(const Point& place, Nanoseconds measured, double range);
-    void roll(double seconds);
 };
 static_assert(sizeof(BallBelief) == 9 * 8, "without padding");
 

@@ -19,8 +19,8 @@ double varianceAt(double range) {
 
 }  // namespace
 
-void BallTrack::predict(double seconds) {
-    const BallBelief later = BallBelief{.position = position, .velocity = velocity}.after(seconds);
+void BallTrack::predict(double seconds, const BallFloor& floor) {
+    const RollingBall later = RollingBall{position, velocity}.after(seconds, floor);
     position = later.position;
     velocity = later.velocity;
     variance += seconds * (2 * covariance + seconds * velocityVariance);
@@ -62,10 +62,11 @@ bool BallTrack::isLost(const OwnBelief& self, double since) {
     return missing > trackMissAfter || toSeconds(time - seen) > trackForgetAfter;
 }
 
-void BallTrack::update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self) {
+void BallTrack::update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self,
+                       const BallFloor& floor) {
     const double since = known != 0 ? toSeconds(observation.time - time) : 0;
     time = observation.time;
-    predict(since);
+    predict(since, floor);
     const bool sighted = !observation.objects().empty() && observation.objects().front().index == 0;
     if (sighted && (known == 0 || observation.objects().front().measured > seen)) {
         const SeenBody& ball = observation.objects().front();

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "behaviour/ball_belief.h"
 #include "behaviour/own_belief.h"
+#include "behaviour/rolling_ball.h"
 #include "geometry/point.h"
 
 namespace mrose {
@@ -22,10 +22,11 @@ struct BallTrack {
     std::int64_t known;                             ///< 0: it has not been seen, or is lost
 
     /// `motion` and `self` have been updated already.
-    void update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self);
+    void update(const Observation& observation, const MotionMemory& motion, const OwnBelief& self,
+                const BallFloor& floor);
 
 private:
-    void predict(double seconds);
+    void predict(double seconds, const BallFloor& floor);
     void takeIn(const Point& place, Nanoseconds measured, double range, const OwnBelief& self);
     bool isLost(const OwnBelief& self, double since);
 };

@@ -60,6 +60,8 @@ std::size_t ChaseBall::memorySize() const {
 
 DriveLimits ChaseBall::limits() const { return {options_.speed, options_.rotation}; }
 
+BallFloor ChaseBall::floor() const { return {options_.walls.get(), options_.ballRadius}; }
+
 /// Turns once round and a little more, then goes somewhere else to look.
 Command ChaseBall::search(const Observation& observation, Memory& memory) const {
     const bool begins = memory.phase != searching && memory.phase != roaming;
@@ -78,7 +80,7 @@ Command ChaseBall::search(const Observation& observation, Memory& memory) const 
 ChaseBall::Situation ChaseBall::situation(const Memory& memory) const {
     Situation now;
     now.robot = memory.self.pose * memory.motion.motionDuring(options_.deadTime);
-    now.ball = memory.ball.in(options_.deadTime);
+    now.ball = memory.ball.after(options_.deadTime, floor()).position;
     now.walls = options_.walls->wallsNear(now.ball, wallsWithin);
     now.way = pushingWay(
         now.ball, unit(options_.target - now.ball), now.walls,
@@ -275,7 +277,7 @@ void ChaseBall::decide(const Observation& observation, std::span<std::byte> byte
     memory.self.update(observation, memory.motion);
     decision.command = Command{};
     if (memory.self.known != 0) {
-        memory.ball.update(observation, memory.motion, memory.self);
+        memory.ball.update(observation, memory.motion, memory.self, floor());
         WallStroke* const stroke = options_.stroke ? &as<WallStroke>(bytes.subspan(sizeof(Memory))) : nullptr;
         std::vector<Point> others;
         for (const SeenBody& seen : observation.robots())

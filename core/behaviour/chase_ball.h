@@ -96,6 +96,8 @@ public:
     void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override;
 
+    BallFloor floor() const;
+
 private:
     DriveLimits limits() const;
     Command chase(const Observation& observation, Memory& memory, WallStroke* stroke, std::span<const Point> others,

@@ -121,7 +121,7 @@ void FreeBall::decide(const Observation& observation, std::span<std::byte> bytes
     memory.self.update(observation, memory.motion);
     decision.command = Command{};
     if (memory.self.known != 0) {
-        memory.ball.update(observation, memory.motion, memory.self);
+        memory.ball.update(observation, memory.motion, memory.self, {options_.walls.get(), options_.stroke.ballRadius});
         decision.command = act(observation, memory);
         annotate(memory, decision);
     }

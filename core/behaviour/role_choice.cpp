@@ -44,13 +44,20 @@ std::int64_t RoleChoice::incumbent(const View& view, std::int64_t slot, const Op
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < most; ++i) {
         const Bid* const bid = view.bids[i];
-        if (bid == nullptr || bid->says != goes || slotOf(bid->told) < chosen || bid->cost >= least) continue;
+        if (bid == nullptr || bid->says != goes || slotOf(bid->told) < chosen || (best != 0 && bid->cost >= least))
+            continue;
         least = bid->cost;
         best = static_cast<std::int64_t>(i) + 1;
     }
     if (best != 0 || goer == 0) return best;
     const Bid* const its = view.bids[static_cast<std::size_t>(goer - 1)];
     return its != nullptr && its->says != goes && slotOf(its->told) >= chosen ? 0 : goer;
+}
+
+/// 0: nobody.
+std::int64_t RoleChoice::firstHeard(const View& view) {
+    const auto first = std::ranges::find_if(view.bids, [](const Bid* bid) { return bid != nullptr; });
+    return first == view.bids.end() ? 0 : first - view.bids.begin() + 1;
 }
 
 void RoleChoice::choose(Nanoseconds now, const Options& options) {
@@ -75,7 +82,8 @@ void RoleChoice::choose(Nanoseconds now, const Options& options) {
         least = cost;
         best = player;
     }
-    if (best == 0 || best == goer) return;  // where nobody can go, nothing changes
+    if (best == 0) best = went != 0 ? went : firstHeard(view);  // nobody can go: all agree nevertheless
+    if (best == 0 || best == goer) return;
     switches += goer != 0 ? 1 : 0;
     goer = best;
     since = now;

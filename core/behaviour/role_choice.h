@@ -46,6 +46,7 @@ struct RoleChoice {
 
 private:
     struct View;
+    static std::int64_t firstHeard(const View& view);
     std::int64_t incumbent(const View& view, std::int64_t slot, const Options& options) const;
 };
 static_assert(sizeof(RoleChoice) == (RoleChoice::most * RoleChoice::kept * 3 + 3) * 8, "without padding");

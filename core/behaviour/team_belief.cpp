@@ -27,7 +27,7 @@ struct Belief {
     Nanoseconds seen = 0;
 };
 
-Belief beliefOf(const TeamBelief::Mate& mate, double ownVariance, Nanoseconds now) {
+Belief beliefOf(const TeamBelief::Mate& mate, double ownVariance, const BallFloor& floor, Nanoseconds now) {
     const TeamWord& word = mate.word;
     const BallBelief told{.position = word.ball,
                           .velocity = word.ballVelocity,
@@ -36,7 +36,7 @@ Belief beliefOf(const TeamBelief::Mate& mate, double ownVariance, Nanoseconds no
                           .seen = word.ballSeen,
                           .missing = 0,
                           .known = 1};
-    const BallBelief then = told.after(toSeconds(now - mate.told));
+    const BallBelief then = told.after(toSeconds(now - mate.told), floor);
     // It lies to the mate as seen, and to the world as the mate does: off by what both of us are.
     return {then.position, then.velocity, then.variance + word.poseVariance + ownVariance, word.ballSeen};
 }
@@ -59,12 +59,14 @@ bool TeamBelief::hear(const ReceivedMessage& message, std::size_t place) {
     return true;
 }
 
-BallBelief TeamBelief::ball(const BallTrack& own, const OwnBelief& self, Nanoseconds now) const {
+BallBelief TeamBelief::ball(const BallTrack& own, const OwnBelief& self, const BallFloor& floor,
+                            Nanoseconds now) const {
     std::array<Belief, most + 1> all;
     std::size_t count = 0;
     if (own.known != 0) all[count++] = {own.position, own.velocity, own.variance, own.seen};
     for (const Mate& mate : mates)
-        if (mate.isHeard(now) && mate.word.ballVariance > 0) all[count++] = beliefOf(mate, self.positionVariance, now);
+        if (mate.isHeard(now) && mate.word.ballVariance > 0)
+            all[count++] = beliefOf(mate, self.positionVariance, floor, now);
     BallBelief ball{
         .position = own.position, .velocity = own.velocity, .variance = own.variance, .time = now, .seen = own.seen};
     if (count == 0) return ball;

@@ -57,7 +57,7 @@ struct TeamBelief {
     bool hear(const ReceivedMessage& message, std::size_t place);
     /// The ball now, by all that is known of it: what was seen surest, and what agrees with it, weighted by how sure
     /// it is. `own`: by own sightings. Not known where nobody knows it.
-    BallBelief ball(const BallTrack& own, const OwnBelief& self, Nanoseconds now) const;
+    BallBelief ball(const BallTrack& own, const OwnBelief& self, const BallFloor& floor, Nanoseconds now) const;
 };
 static_assert(sizeof(TeamBelief) == TeamBelief::most * (16 + 2) * 8, "without padding");
 

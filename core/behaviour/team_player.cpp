@@ -229,8 +229,8 @@ void TeamPlayer::decide(const Observation& observation, std::span<std::byte> byt
     listen(observation, memory);
     decision.command = Command{};
     if (chase.self.known != 0) {
-        memory.sighted.update(observation, chase.motion, chase.self);
-        chase.ball = memory.team.ball(memory.sighted, chase.self, observation.time);
+        memory.sighted.update(observation, chase.motion, chase.self, chase_.floor());
+        chase.ball = memory.team.ball(memory.sighted, chase.self, chase_.floor(), observation.time);
         const std::vector<Point> others = othersOnTheFloor(observation, place, memory);
         bid(observation, place, others, memory);
         tell(observation, place, memory, decision);

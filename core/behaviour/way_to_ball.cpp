@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "behaviour/ball_belief.h"
+#include "behaviour/rolling_ball.h"
 
 namespace mrose {
 namespace {
@@ -25,7 +25,7 @@ double blockedBy(std::span<const Point> bodies, const Point& from, const Point& 
 Point restOf(const WayToBall::Situation& situation) {
     const double speed = length(situation.rolls);
     if (speed == 0) return situation.ball;
-    const Point far = BallBelief{.position = situation.ball, .velocity = situation.rolls}.in(longestRoll);
+    const Point far = RollingBall{situation.ball, situation.rolls}.after(longestRoll, {}).position;
     const Point way = (1 / speed) * situation.rolls;
     double roll = distance(situation.ball, far);
     if (situation.walls != nullptr) roll = situation.walls->freeWay(situation.ball, way, situation.ballRadius, roll);

@@ -159,7 +159,7 @@ double* InputReader::wheelMeans(const Pieces& pieces, double* means) const {
 
 void InputReader::compute(const MotionInput& input, int robot, Followed* followed, Values& values) const {
     Pieces pieces;
-    const Nanoseconds begin = input.start - fromSeconds(oldest_);
+    const Nanoseconds begin = beginOf(input);
     const bool known = followed != nullptr && followed->time == begin;
     const std::size_t count = collect(input, known ? oldest_ : toldFrom_, pieces);
     double* value = commands_.means<commandWidth>(pieces, pieces.commands.data(), values.data());

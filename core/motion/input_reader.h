@@ -28,6 +28,8 @@ public:
         Nanoseconds time = std::numeric_limits<Nanoseconds>::min();  ///< of no period
     };
     bool ramps() const { return limits_.ramps() && commands_.size() > 0; }
+    /// The instant of which a period's inputs need to know what is followed.
+    Nanoseconds beginOf(const MotionInput& input) const { return input.start - fromSeconds(oldest_); }
 
     /// How far before a period's start it may read commands. Of a drive that ramps so far only where nothing is
     /// remembered: the oldest of these commands then tell what it follows where inputs begin.

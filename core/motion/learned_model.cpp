@@ -64,13 +64,7 @@ struct NoiseMemory {
     float forward = 0, heading = 0;  ///< the mean's increment of the period before
 };
 
-/// What a drive that ramps follows, behind LearnedMotion::Memory.
-InputReader::Followed& followedIn(std::span<std::byte> memory) {
-    return as<InputReader::Followed>(memory.subspan(sizeof(LearnedMotion::Memory)));
-}
-const InputReader::Followed& followedIn(std::span<const std::byte> memory) {
-    return as<InputReader::Followed>(memory.subspan(sizeof(LearnedMotion::Memory)));
-}
+std::uint32_t lowerBits(Nanoseconds time) { return static_cast<std::uint32_t>(time / 1000); }
 
 }  // namespace
 
@@ -114,8 +108,13 @@ std::optional<Pose> LearnedMotion::drawNoise(const MotionInput& input, const flo
 }
 
 void LearnedMotion::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
+    if (!followsInMemory()) {
+        const Velocity& unperturbed = as<Memory>(memory).unperturbed;
+        entries.add("unperturbed_v", unperturbed.v, "m/s");
+        entries.add("unperturbed_w", unperturbed.w, "rad/s");
+    }
     if (inputs_.ramps()) {
-        const Command& followed = followedIn(memory).command;
+        const Velocity& followed = followedIn(memory);
         entries.add("followed_v", followed.v, "m/s");
         entries.add("followed_w", followed.w, "rad/s");
     }
@@ -153,16 +152,21 @@ MotionStep LearnedMotion::toStep(const MotionInput& input, int robot, const floa
 
 void LearnedMotion::readInputs(const MotionInput& input, int robot, float* row) const {
     if (!inputs_.ramps() || input.memory.empty()) return inputs_.read(input, robot, row);
-    InputReader::Followed& followed = followedIn(input.memory);
-    if (as<Memory>(input.memory).begun == 0) followed = {};
+    auto& memory = as<Memory>(input.memory);
+    Velocity& kept = followedIn(input.memory);
+    InputReader::Followed followed;
+    const Nanoseconds begin = inputs_.beginOf(input);
+    if (memory.begun != 0 && memory.followedAt == lowerBits(begin)) followed = {{kept.v, kept.w}, begin};
     inputs_.read(input, robot, row, &followed);
+    kept = {followed.command.v, followed.command.w};
+    memory.followedAt = lowerBits(followed.time);
 }
 
 void LearnedMotion::remember(const MotionInput& input, const float* outputs) const {
     if (input.memory.empty()) return;
     const std::size_t end = network_.form == MotionNetwork::Form::history ? 5 : 3;
     auto& memory = as<Memory>(input.memory);
-    memory.unperturbed = {value(outputs, end), value(outputs, end + 1)};
+    if (!followsInMemory()) memory.unperturbed = {value(outputs, end), value(outputs, end + 1)};
     memory.begun = 1;
 }
 
@@ -256,8 +260,6 @@ void LearnedModel::restart(std::span<std::byte> memory) const {
 void LearnedModel::explain(std::span<const std::byte> memory, MemoryEntries& entries) const {
     const auto& kept = as<LearnedMotion::Memory>(memory);
     if (kept.begun == 0) return;
-    entries.add("unperturbed_v", kept.unperturbed.v, "m/s");
-    entries.add("unperturbed_w", kept.unperturbed.w, "rad/s");
     if (kept.ahead != 0 || kept.rotated != 0) {
         const TrackerOffset own = motion_->tracker(robot_);
         entries.add("tracked_point_ahead", own.ahead + static_cast<double>(kept.ahead), "m");

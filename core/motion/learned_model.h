@@ -31,18 +31,19 @@ public:
     /// What is remembered of a robot.
     struct Memory {
         /// The velocity at the period's end that the commands alone lead to: what differs from it has been pushed, and
-        /// recovers.
+        /// recovers. Of a network of form state whose drive ramps, which recovers by itself: what the drive follows
+        /// (InputReader::Followed).
         Velocity unperturbed;
-        std::uint64_t begun = 0;  ///< 0 before the first period: `unperturbed` is told from the commands
+        std::uint32_t begun = 0;       ///< 0 before the first period: `unperturbed` is told from the commands
+        std::uint32_t followedAt = 0;  ///< when the drive follows that: the lower bits of microseconds
         /// Of the tracked point, besides what the network knows: MotionModel::adapt.
         float ahead = 0, rotated = 0;
     };
-    /// Bytes that are remembered of a robot: Memory; of a drive that ramps, what it follows (InputReader::Followed);
+    /// Bytes that are remembered of a robot: Memory; of a network of form history whose drive ramps, what it follows;
     /// and where noise is drawn, what that remembers.
     std::size_t memorySize(MotionDraw draw) const;
-    static constexpr std::size_t largestOfMean =
-        sizeof(Memory) + sizeof(InputReader::Followed);  ///< memorySize(mean), at most
-    /// What the drive follows and what the noise remembers, for people.
+    static constexpr std::size_t largestOfMean = sizeof(Memory) + sizeof(Velocity);  ///< memorySize(mean), at most
+    /// What is remembered of a robot, for people: velocities, and how large the noise is.
     void explain(std::span<const std::byte> memory, MemoryEntries& entries) const;
 
     /// How the tracked point lies on the robot of this index, as far as the network knows; none of one that it does
@@ -77,8 +78,15 @@ private:
                       const std::optional<Pose>& noise = std::nullopt) const;
     void readInputs(const MotionInput& input, int robot, float* row) const;
     void remember(const MotionInput& input, const float* outputs) const;
+    /// Whether what the drive follows lies in Memory, or behind it.
+    bool followsInMemory() const { return inputs_.ramps() && network_.form == MotionNetwork::Form::state; }
+    bool followsBehind() const { return inputs_.ramps() && network_.form == MotionNetwork::Form::history; }
+    template <class Bytes>
+    auto& followedIn(Bytes memory) const {
+        return followsBehind() ? as<Velocity>(memory.subspan(sizeof(Memory))) : as<Memory>(memory).unperturbed;
+    }
     /// Of what the noise remembers.
-    std::size_t noiseOffset() const { return sizeof(Memory) + (inputs_.ramps() ? sizeof(InputReader::Followed) : 0); }
+    std::size_t noiseOffset() const { return sizeof(Memory) + (followsBehind() ? sizeof(Velocity) : 0); }
     /// Of the network that this is drawn by: with the outputs of the members where the noise needs them.
     const MlpInference& inferenceFor(MotionDraw draw) const;
     Pose incrementOf(const float* outputs) const { return {value(outputs, 0), value(outputs, 1), value(outputs, 2)}; }

@@ -57,8 +57,12 @@ private:
     const RobotDescription* robotDescription(TomlTable& table);
     const RobotDescription* withOwnNetwork(TomlTable& table, const RobotDescription* robot);
     std::uint32_t typeIndex(const RobotDescription& robot, bool person);
-    MotionDraw motionDraw(TomlTable& table, const RobotDescription& robot, bool playsLog);
-    std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot, MotionDraw draw);
+    struct Doubt {
+        MotionDraw draw;  ///< of what the network has learned
+        MotionNoise constant;
+    };
+    Doubt doubt(TomlTable& table, const RobotDescription& robot, bool playsLog);
+    std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot, const Doubt& doubt);
     std::string motionRobot(TomlTable& table, const RobotDescription& robot);
     std::int64_t phase(TomlTable& table, const MotionModel& model);
     void readNumber(TomlTable& table, SceneRobot& robot);
@@ -183,24 +187,25 @@ std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription
     return chosen;
 }
 
-/// A robot that plays a log is compared with the real one: it moves by the mean.
-MotionDraw ScenarioReader::motionDraw(TomlTable& table, const RobotDescription& robot, bool playsLog) {
-    if (!table.has("learned_noise")) return playsLog ? MotionDraw::mean : robot.motionDraw;
+/// A robot that plays a log is compared with the real one: it moves by the mean. Where the scenario says how it moves,
+/// noise of the robot file's own counts no more.
+ScenarioReader::Doubt ScenarioReader::doubt(TomlTable& table, const RobotDescription& robot, bool playsLog) {
+    if (!table.has("learned_noise")) return {playsLog ? MotionDraw::mean : robot.motionDraw, robot.motionNoise};
     const bool drawn = table.boolean("learned_noise");
     if (drawn && !(robot.motion && robot.motion->network().noise))
         table.reject("learned_noise", "is true; the robot moves by no network that knows its noise");
-    return drawn ? MotionDraw::noisy : MotionDraw::mean;
+    return {drawn ? MotionDraw::noisy : MotionDraw::mean, {}};
 }
 
 std::uint32_t ScenarioReader::modelIndex(const RobotDescription& robot, const std::string& motionRobot,
-                                         MotionDraw draw) {
+                                         const Doubt& doubt) {
     const void* const motion = robot.motion ? static_cast<const void*>(robot.motion.get()) : robot.model.get();
-    const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, robot.motionNoise, draw),
+    const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, doubt.constant, doubt.draw),
                                                 static_cast<std::uint32_t>(scene_.models.size()));
     if (!added) return model->second;
     std::shared_ptr<const MotionModel> own = robot.model;
-    if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot, draw);
-    scene_.models.push_back(withNoise(std::move(own), robot.motionNoise));
+    if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot, doubt.draw);
+    scene_.models.push_back(withNoise(std::move(own), doubt.constant));
     return model->second;
 }
 
@@ -246,7 +251,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
         setting = readController(table.table("controller"),
                                  {*robot, ballRadius(), walls_, scene_.environment, robots_, scene_.robots.size()},
                                  name_, library_, loading_);
-    body.model = modelIndex(*robot, body.motionRobot, motionDraw(table, *robot, setting.played.has_value()));
+    body.model = modelIndex(*robot, body.motionRobot, doubt(table, *robot, setting.played.has_value()));
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else

@@ -13,7 +13,7 @@ namespace {
 /// A robot that stands at a pose, knows that, and is shown the ball every 100 ms.
 class Watcher {
 public:
-    explicit Watcher(const Pose& pose) : pose_(pose) {}
+    explicit Watcher(const Pose& pose, const BallFloor& floor = {}) : pose_(pose), floor_(floor) {}
 
     const BallBelief& see(std::optional<Point> ball, const Point& error = {}) {
         ObservationParts observation;
@@ -23,12 +23,13 @@ public:
         if (ball) observation.objects = {{0, Placement(pose_).placeBack(*ball) + error, observation.time}};
         motion_.observe(observation);
         self_.update(observation, motion_);
-        ball_.update(observation, motion_, self_);
+        ball_.update(observation, motion_, self_, floor_);
         return ball_;
     }
 
 private:
     Pose pose_;
+    BallFloor floor_;
     std::int64_t instant_ = 0;
     MotionMemory motion_{};
     OwnBelief self_{};
@@ -43,9 +44,9 @@ TEST(BallBelief, FollowsARollingBallAndForeseesItsWay) {
     const BallBelief ball = watcher.see(at(1));
     EXPECT_LT(distance(ball.position, at(1)), 0.06);
     EXPECT_NEAR(ball.velocity.x, v - deceleration, 0.2);
-    EXPECT_LT(distance(ball.in(0.5), at(1.5)), 0.15);
+    EXPECT_LT(distance(ball.after(0.5, {}).position, at(1.5)), 0.15);
     // It comes to rest after v / deceleration seconds.
-    EXPECT_EQ(ball.in(20), ball.in(30));
+    EXPECT_EQ(ball.after(20, {}).position, ball.after(30, {}).position);
 }
 
 /// The robot turns while its camera's images arrive 0.2 s late.
@@ -65,7 +66,7 @@ TEST(BallBelief, PlacesLateSightingsByThePoseOfThen) {
         if (i >= 2) observation.objects = {{0, then.placeBack(ball), observation.time - 200'000'000}};
         motion.observe(observation);
         self.update(observation, motion);
-        belief.update(observation, motion, self);
+        belief.update(observation, motion, self, {});
         EXPECT_TRUE(i < 2 || distance(belief.position, ball) < 1e-9) << i;
     }
 }
@@ -82,6 +83,15 @@ TEST(BallBelief, TrustsNearSightingsMore) {
         }
     }
     EXPECT_LT(errors[0], 0.5 * errors[1]);
+}
+
+/// It rolls behind the robot, at a wall that it would else be believed to have passed.
+TEST(BallBelief, DoesNotBelieveABallBehindWalls) {
+    const FloorPlan walls({*ConvexPiece::polygon({{-3, -5}, {-2, -5}, {-2, 5}, {-3, 5}})});
+    Watcher watcher({0, 0, 0.1}, {&walls, 0.11});
+    for (int i = 0; i < 10; ++i) watcher.see(Point{-0.8 - 0.1 * i, 0.2});
+    for (int i = 0; i < 30; ++i) EXPECT_GT(watcher.see(std::nullopt).position.x, -1.9) << i;
+    EXPECT_LT(watcher.see(std::nullopt).position.x, -1.88);
 }
 
 TEST(BallBelief, StaysForAWhileWhereItCannotBeSeen) {

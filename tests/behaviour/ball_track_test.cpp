@@ -20,7 +20,7 @@ public:
         if (ball) observation.objects = {{0, *ball, observation.time}};
         motion_.observe(observation);
         self_.update(observation, motion_);
-        track_.update(observation, motion_, self_);
+        track_.update(observation, motion_, self_, {});
         return track_;
     }
 

@@ -1,7 +1,9 @@
 #include "behaviour/role_choice.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -43,6 +45,10 @@ public:
                 said_.push_back({i, after});
                 if (i + 1 == choices_.size()) count();
             }
+    }
+    /// As it was chosen before.
+    void choose(std::span<const std::int64_t> goers) {
+        for (std::size_t i = 0; i < goers.size(); ++i) choices_[i].goer = goers[i];
     }
     std::int64_t none() const { return none_; }
     std::int64_t one() const { return one_; }
@@ -117,7 +123,7 @@ TEST(RoleChoice, WhoCannotGoOrIsNotHeardIsOutOfIt) {
     choice.note(1, offer(5 * slot, 9));
     choice.choose(5 * slot, options);
     EXPECT_EQ(choice.goer, 2);
-    // Where nobody can, nothing changes.
+    // Where nobody can, who went goes on.
     choice.note(1, offer(6 * slot, cannot, true));
     choice.choose(6 * slot, options);
     EXPECT_EQ(choice.goer, 2);
@@ -163,6 +169,19 @@ TEST(RoleChoice, HysteresisLeavesFewerSwitches) {
         const std::int64_t switches = talk.choices()[0].switches;
         EXPECT_LT(switches, before) << hysteresis;
         before = switches;
+    }
+}
+
+/// Nobody knows the ball, and each takes another for the one that goes.
+TEST(RoleChoice, WhereNobodyCanGoChoicesThatDifferBecomeOneAgain) {
+    const auto nobodyCan = [](std::size_t, std::int64_t) { return cannot; };
+    for (const std::array<std::int64_t, 3>& goers : {std::array<std::int64_t, 3>{2, 3, 1}, {1, 2, 3}, {2, 1, 0}}) {
+        Talk talk(3, {.hysteresis = 1, .agree = 2}, slot - 1);
+        talk.choose(goers);
+        talk.run(20, nobodyCan, losesNothing);
+        EXPECT_GE(talk.one(), 12);
+        for (const RoleChoice& choice : talk.choices()) EXPECT_EQ(choice.goer, talk.choices()[0].goer);
+        EXPECT_NE(talk.choices()[0].goer, 0);
     }
 }
 

@@ -83,23 +83,23 @@ TEST(TeamBelief, CarriesMatesOnForHalfASecond) {
 
 TEST(TeamBelief, ABallThatAMateSeesIsKnownAndAsUnsureAsAllThatWentIntoIt) {
     TeamBelief team{};
-    EXPECT_EQ(team.ball({}, knowingItself(0.01), second).known, 0);
+    EXPECT_EQ(team.ball({}, knowingItself(0.01), {}, second).known, 0);
     TeamWord said = word({}, {2, 1}, 0.04);
     said.poseVariance = 0.02;
     team.hear(received(said, second), 1);
-    const BallBelief ball = team.ball({}, knowingItself(0.01), second);
+    const BallBelief ball = team.ball({}, knowingItself(0.01), {}, second);
     ASSERT_EQ(ball.known, 1);
     EXPECT_EQ(ball.position, (Point{2, 1}));
     EXPECT_NEAR(ball.variance, 0.07, 1e-12);
     // It is forgotten with the mate.
-    EXPECT_EQ(team.ball({}, knowingItself(0.01), 2 * second + 1).known, 0);
+    EXPECT_EQ(team.ball({}, knowingItself(0.01), {}, 2 * second + 1).known, 0);
 }
 
 /// Two measurements weighted by their inverse variances.
 TEST(TeamBelief, SightingsThatAgreeAreWeighted) {
     TeamBelief team{};
     team.hear(received(word({}, {2.2, 0}, 0.03), second), 1);
-    const BallBelief ball = team.ball(seen({2, 0}, 0.01), knowingItself(0), second);
+    const BallBelief ball = team.ball(seen({2, 0}, 0.01), knowingItself(0), {}, second);
     EXPECT_NEAR(ball.position.x, (2 / 0.01 + 2.2 / 0.03) / (1 / 0.01 + 1 / 0.03), 1e-12);
     EXPECT_NEAR(ball.variance, 1 / (1 / 0.01 + 1 / 0.03), 1e-12);
     // It rolls on while nobody says anything.
@@ -107,14 +107,16 @@ TEST(TeamBelief, SightingsThatAgreeAreWeighted) {
     rolling.ballVelocity = {1, 0};
     TeamBelief others{};
     others.hear(received(rolling, second), 1);
-    EXPECT_NEAR(others.ball({}, knowingItself(0), second + second / 2).position.x, 0.5 - 0.4 * 0.25 / 2, 1e-9);
+    EXPECT_NEAR(others.ball({}, knowingItself(0), {}, second + second / 2).position.x, 0.5 - 0.4 * 0.25 / 2, 1e-9);
+    const FloorPlan wall({*ConvexPiece::polygon({{0.4, -1}, {0.5, -1}, {0.5, 1}, {0.4, 1}})});
+    EXPECT_NEAR(others.ball({}, knowingItself(0), {&wall, 0.1}, 2 * second).position.x, 0.3, 0.001);
 }
 
 /// After a goal it lies elsewhere, and one of them has not seen that.
 TEST(TeamBelief, OfBallsInTwoPlacesTheSurerOneIsIt) {
     TeamBelief team{};
     team.hear(received(word({}, {0, 0}, 0.002), second), 1);
-    const BallBelief ball = team.ball(seen({4, 1}, 0.1), knowingItself(0.001), second);
+    const BallBelief ball = team.ball(seen({4, 1}, 0.1), knowingItself(0.001), {}, second);
     EXPECT_EQ(ball.position, (Point{0, 0}));
 }
 

@@ -107,8 +107,8 @@ TEST(TeamPlayer, NearlyAlwaysOneOfThemGoes) {
 
 /// The players of this field decide at the same instants: without it there is no time between.
 TEST(TeamPlayer, WhoStopsLaterRatherHasTwoGoThanNobody) {
-    const Agreement atOnce = agreement(3, 0, 0), later = agreement(3, 0, 80'000'000);
-    EXPECT_GT(later.more, atOnce.more + 0.002);
+    const Agreement atOnce = agreement(10, 0, 0), later = agreement(10, 0, 80'000'000);
+    EXPECT_GT(later.more, atOnce.more + 0.0005);
     EXPECT_LE(later.none, atOnce.none);
 }
 

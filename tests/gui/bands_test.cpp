@@ -9,6 +9,7 @@
 #include "gui/overlay_fixture.h"
 #include "gui/reality_fixture.h"
 #include "gui/window_fixture.h"
+#include "motion/learned_model.h"
 #include "panels/plot_panel.h"
 #include "reality/error_plot.h"
 #include "reality/field_bands.h"
@@ -133,17 +134,24 @@ TEST_F(RolloutBandsTest, BesideALogTheyBeginWithTheRollout) {
     EXPECT_TRUE(shown.ofRun);
     EXPECT_EQ(shown.bands->tick, 0);
     EXPECT_EQ(shown.bands, window.bands().ofRollout());
-    // Runs of the same rollout with other seeds, whose robots are given the log's commands.
+    // Runs of the same rollout, whose robots draw what their network knows of its noise and are given the log's
+    // commands.
     const RolloutRequest& request = overlay.rollouts().requests()[*overlay.rollouts().shown()];
     std::vector<Pose> samples;
     Pose around;
     for (int seed = -1; seed < MotionSampler::Options{}.samples; ++seed) {
-        LogWorld::Opened opened =
-            overlay.rollouts().world().openAt(request.session, request.start, request.steps * WindowOptions{}.step,
-                                              seed < 0 ? overlay.rollouts().log()->seed : std::uint64_t(seed));
+        ScenarioParts parts = overlay.rollouts()
+                                  .world()
+                                  .partsAt(request.session, request.start, request.steps * WindowOptions{}.step)
+                                  .parts;
+        if (seed >= 0)
+            for (auto& model : parts.scene.models) model = learnedModel(*model)->drawn(MotionDraw::noisy);
+        const Scenario scenario(std::move(parts));
+        WorldState state =
+            scenario.initialState(seed < 0 ? overlay.rollouts().log()->seed : static_cast<std::uint64_t>(seed));
         StepBuffers buffers;
-        for (int tick = 0; tick < 200; ++tick) step(*opened.scenario, opened.state, buffers);
-        const Pose& pose = opened.state.robots[0].pose;
+        for (int tick = 0; tick < 200; ++tick) step(scenario, state, buffers);
+        const Pose& pose = state.robots[0].pose;
         seed < 0 ? void(around = pose) : samples.push_back(pose);
     }
     EXPECT_EQ(*shown.bands->at(0, 200), regionOf(samples, around));

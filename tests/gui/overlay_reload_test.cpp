@@ -103,7 +103,7 @@ TEST_F(OverlayReloadTest, RolloutThatIsGoneLeavesWhatWasReadBefore) {
 
 TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
     ASSERT_NO_FATAL_FAILURE(openLog(makeLog(), twoSeconds));
-    overlay.setBound({{0.002, 0.02}, false});
+    overlay.setBound({{0.0005, 0.005}, false});
     settleAll();
     ASSERT_TRUE(overlay.causes().finding());
     overlay.causes().show(0);
@@ -116,7 +116,7 @@ TEST_F(OverlayReloadTest, NothingStaysThatWasKnownOfTheOldLog) {
     EXPECT_EQ(reality().robots[0].trajectory, &overlay.rollouts().world().trajectory(0, 0));
     MainWindow other;
     ASSERT_TRUE(other.overlay().openNow({path("made.csv"), ""}, twoSeconds));
-    other.overlay().setBound({{0.002, 0.02}, false});
+    other.overlay().setBound({{0.0005, 0.005}, false});
     other.overlay().settle();
     ASSERT_TRUE(other.overlay().causes().finding() && other.overlay().causes().finding()->diagnosis);
     ASSERT_TRUE(overlay.causes().finding() && overlay.causes().finding()->diagnosis);

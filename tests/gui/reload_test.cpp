@@ -98,7 +98,7 @@ TEST_F(ReloadTest, MistakeIsShownWithItsLineAndTheRunGoesOn) {
     text.replace(text.find("mass_kg = 7.5"), 13, "mass_kg = -1 ");
     write("mine.toml", text);
     ASSERT_TRUE(waitFor([&] { return !errors().empty(); }));
-    EXPECT_THAT(errors(), ElementsAre(HasSubstr(path("mine.toml") + ":7:")));
+    EXPECT_THAT(errors(), ElementsAre(HasSubstr(path("mine.toml") + ":8:")));
     EXPECT_THAT(errors().front(), HasSubstr("mass_kg"));
     settle();
     EXPECT_EQ(window.shown()->hash, before_);

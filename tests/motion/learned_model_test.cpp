@@ -137,54 +137,6 @@ TEST_P(LearnedModelOfBothForms, GivesTheSameBitsAloneAndInAnyBatch) {
     }
 }
 
-TEST(LearnedModel, SaysWhatItsDriveFollows) {
-    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
-    network.limits = {0.5, 2, 0, 0};
-    const LearnedModel model(std::make_shared<const LearnedMotion>(network), "a");
-    double read = 0;  // s: the oldest that inputs are made from
-    for (const NetworkInput& input : network.inputs)
-        if (input.fromCommands()) read = std::max(read, input.oldest);
-    CommandHistory history;
-    history.issue(0, {0.4, -1});
-    std::vector<std::byte> memory(model.memorySize());
-    model.predictOne({&history, fromSeconds(read) + 100 * ms, {}, memory});
-    MemoryEntries entries;
-    model.explain(memory, entries);
-    const auto said = std::move(entries).all();
-    const auto of = [&](std::string_view name) {
-        const auto found = std::ranges::find_if(said, [&](const MemoryEntry& entry) { return entry.name == name; });
-        return found == said.end() ? 99.0 : found->value;
-    };
-    EXPECT_NEAR(of("followed_v"), 0.5 * 0.2, 1e-12);  // where the next period begins to read, 0.2 s after the command
-    EXPECT_NEAR(of("followed_w"), -2 * 0.2, 1e-12);
-}
-
-/// What a world keeps of the commands beside what a rollout of a log knows.
-TEST(LearnedModel, FollowsCommandsThatAWorldNoLongerKeeps) {
-    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
-    network.limits = {0.2, 0.5, 0.5, 0.165, 0.3};
-    const LearnedModel model(std::make_shared<const LearnedMotion>(network), "a");
-    std::vector<std::byte> ofWorld(model.memorySize()), ofLog = ofWorld;
-    CommandHistory all;
-    std::array<StampedCommand, 8> slots;
-    std::size_t kept = 0;
-    Command before;
-    bool differs = false;
-    for (int i = 0; i < 60; ++i) {
-        const Nanoseconds start = i * model.period();
-        const StampedCommand issued{start, {0.4 * uniformNoise({2, i, 0, 0}), normalNoise({2, i, 0, 1})}};
-        all.issue(issued.time, issued.command);
-        issueCommand(std::span(slots).first(std::size_t(model.lookBack() / model.period()) + 2), kept, before, issued);
-        const CommandView view{std::span<const StampedCommand>(slots).first(kept), before};
-        const MotionStep inWorld = model.predictOne({view, start, {0.2, 0.1}, ofWorld});
-        const MotionStep ofRollout = model.predictOne({&all, start, {0.2, 0.1}, ofLog});
-        ASSERT_EQ(inWorld.increment, ofRollout.increment) << i;
-        ASSERT_EQ(ofWorld, ofLog) << i;
-        differs = differs || model.predictOne({view, start, {0.2, 0.1}}).increment != inWorld.increment;
-    }
-    EXPECT_TRUE(differs) << "what it remembers does not matter";
-}
-
 /// Of some members, whose layers differ; the velocities of the history form belong to all of them together.
 MotionNetwork ensembleOf(std::size_t count, MotionNetwork::Form form) {
     MotionNetwork network = arbitraryNetwork(form);
@@ -342,6 +294,54 @@ TEST_P(LearnedModelOfBothForms, WhoseMembersAreNotKnownTellsNoSpread) {
         EXPECT_EQ(steps[i].increment, model.predictOne(several.inputs[i]).increment);
         EXPECT_EQ(spreads[i], MotionSpread{});
     }
+}
+
+TEST_P(LearnedModelOfBothForms, SaysWhatItsDriveFollows) {
+    MotionNetwork network = arbitraryNetwork(GetParam());
+    network.limits = {0.5, 2, 0, 0};
+    const LearnedModel model(std::make_shared<const LearnedMotion>(network), "a");
+    double read = 0;  // s: the oldest that inputs are made from
+    for (const NetworkInput& input : network.inputs)
+        if (input.fromCommands()) read = std::max(read, input.oldest);
+    CommandHistory history;
+    history.issue(0, {0.4, -1});
+    std::vector<std::byte> memory(model.memorySize());
+    model.predictOne({&history, fromSeconds(read) + 100 * ms, {}, memory});
+    MemoryEntries entries;
+    model.explain(memory, entries);
+    const auto said = std::move(entries).all();
+    const auto of = [&](std::string_view name) {
+        const auto found = std::ranges::find_if(said, [&](const MemoryEntry& entry) { return entry.name == name; });
+        return found == said.end() ? 99.0 : found->value;
+    };
+    EXPECT_NEAR(of("followed_v"), 0.5 * 0.2, 1e-12);  // where the next period begins to read, 0.2 s after the command
+    EXPECT_NEAR(of("followed_w"), -2 * 0.2, 1e-12);
+}
+
+/// What a world keeps of the commands beside what a rollout of a log knows.
+TEST_P(LearnedModelOfBothForms, FollowsCommandsThatAWorldNoLongerKeeps) {
+    MotionNetwork network = arbitraryNetwork(GetParam());
+    network.limits = {0.2, 0.5, 0.5, 0.165, 0.3};
+    const LearnedModel model(std::make_shared<const LearnedMotion>(network), "a");
+    std::vector<std::byte> ofWorld(model.memorySize()), ofLog = ofWorld;
+    CommandHistory all;
+    std::array<StampedCommand, 8> slots;
+    std::size_t kept = 0;
+    Command before;
+    bool differs = false;
+    for (int i = 0; i < 60; ++i) {
+        const Nanoseconds start = i * model.period();
+        const StampedCommand issued{start, {0.4 * uniformNoise({2, i, 0, 0}), normalNoise({2, i, 0, 1})}};
+        all.issue(issued.time, issued.command);
+        issueCommand(std::span(slots).first(std::size_t(model.lookBack() / model.period()) + 2), kept, before, issued);
+        const CommandView view{std::span<const StampedCommand>(slots).first(kept), before};
+        const MotionStep inWorld = model.predictOne({view, start, {0.2, 0.1}, ofWorld});
+        const MotionStep ofRollout = model.predictOne({&all, start, {0.2, 0.1}, ofLog});
+        ASSERT_EQ(inWorld.increment, ofRollout.increment) << i;
+        ASSERT_EQ(ofWorld, ofLog) << i;
+        differs = differs || model.predictOne({view, start, {0.2, 0.1}}).increment != inWorld.increment;
+    }
+    EXPECT_TRUE(differs) << "what it remembers does not matter";
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, LearnedModelOfBothForms,

@@ -161,8 +161,7 @@ TEST_P(NoisyNetwork, IsTheMeanToTheBitWithoutADraw) {
     EXPECT_EQ(drive(noisy_, std::nullopt), drive(mean_, std::nullopt));
     EXPECT_EQ(drive(mean_, 4), drive(mean_, std::nullopt));
     EXPECT_EQ(drive(*noisy_.drawn(MotionDraw::mean), 4), drive(mean_, 4));
-    EXPECT_EQ(mean_.memorySize(),
-              GetParam() == MotionNetwork::Form::state ? LearnedMotion::largestOfMean : sizeof(LearnedMotion::Memory));
+    EXPECT_EQ(mean_.memorySize(), sizeof(LearnedMotion::Memory));
 }
 
 TEST_P(NoisyNetwork, DrawsAnotherRunForEachSeedAndTheSameAgain) {

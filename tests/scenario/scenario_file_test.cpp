@@ -6,6 +6,7 @@
 
 #include "motion/learned_model.h"
 #include "motion/network_fixture.h"
+#include "motion/noisy_model.h"
 #include "scenario/descriptions.h"
 #include "simulation/step.h"
 #include "support/units.h"
@@ -93,6 +94,35 @@ TEST(ScenarioFile, RobotsOfOneNetworkShareIt) {
     for (const auto& [robot, name] : {std::pair(1, "b"), std::pair(3, "a"), std::pair(4, "")})
         EXPECT_EQ(scene.modelOf(static_cast<std::size_t>(robot)).predictOne(input).increment,
                   LearnedModel(motion, name).predictOne(input).increment);
+}
+
+/// Drawn is what the robot file says: the network's noise, or a constant one in its place. A robot's own key decides
+/// between the network's and none.
+TEST(ScenarioFile, ARobotMovesByTheNoiseThatItsFileOrItsOwnKeySays) {
+    MotionNetwork network = arbitraryNetwork(MotionNetwork::Form::state);
+    network.noise = ResidualNoise{};
+    network.noise->processes = {{ResidualNoise::Axis::forward, 0.5, {{NoiseTrait::moving, 1e-3}}}};
+    const MotionNoise constant{0.1, 0.2, 0};
+    const MotionDraw mean = MotionDraw::mean, noisy = MotionDraw::noisy;
+    struct Case {
+        const char *file, *key;
+        MotionDraw draw;
+        MotionNoise noise;
+    };
+    const char* const ofFile = "[motion_noise]\ndistance_per_distance = 0.1\nrotation_per_rotation = 0.2\n";
+    for (const Case& one :
+         {Case{"", "", noisy, {}}, Case{"", "learned_noise = false\n", mean, {}}, Case{ofFile, "", mean, constant},
+          Case{ofFile, "learned_noise = true\n", noisy, {}}, Case{ofFile, "learned_noise = false\n", mean, {}}}) {
+        auto texts = changedWorld("s.toml", "motion_robot = \"b\"\n", std::string("motion_robot = \"b\"\n") + one.key);
+        texts["n.net"] = networkText(network);
+        texts["learned.toml"] += one.file;
+        const auto loaded = loadFrom(texts);
+        ASSERT_TRUE(loaded) << loaded.error().message();
+        const MotionModel& model = loaded->parts.scene.modelOf(1);
+        ASSERT_NE(learnedModel(model), nullptr);
+        EXPECT_EQ(learnedModel(model)->draw(), one.draw) << one.file << one.key;
+        EXPECT_EQ(noiseOf(model), one.noise) << one.file << one.key;
+    }
 }
 
 TEST(ScenarioFile, PhasesSpreadByThemselves) {
