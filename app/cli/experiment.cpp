@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "experiment/batch.h"
+#include "io/format.h"
 #include "plugin_watch.h"
 #include "plugins.h"
 #include "report/program_json.h"
@@ -34,7 +35,7 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
                        cell(measure.most), std::to_string(measure.count)});
         }
         if (!variant.measures.empty()) std::fputs(table.text().c_str(), stdout);
-        std::printf("%lld runs", static_cast<long long>(variant.runs));
+        std::fputs(counted(static_cast<std::size_t>(variant.runs), "run").c_str(), stdout);
         if (summary.until) std::printf(", %lld ended by `until`", static_cast<long long>(variant.ended));
         if (variant.faulty > 0) std::printf(", %lld by a fault", static_cast<long long>(variant.faulty));
         std::puts("");

@@ -58,7 +58,7 @@ std::string leftOut(const TaskData& data) {
 void print(const LearnedTask& learned, const LearnRequest& request) {
     const TaskData& data = learned.data;
     const bool choosing = !data.variants.empty();
-    std::printf("%zu %s, %zu of them held out%s%s\n", data.rows(), choosing ? "trials" : "rows",
+    std::printf("%s, %zu of them held out%s%s\n", counted(data.rows(), choosing ? "trial" : "row").c_str(),
                 learned.judgement.heldOut.rows(), choosing ? "" : " by trials", leftOut(data).c_str());
     TextTable table({data.target + ", held out", "sum of |d| / sum", "95 %", "mean |d|", "rms", "bias"});
     for (const TaskJudgement::Predictor& predictor : learned.judgement.predictors) {

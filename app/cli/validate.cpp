@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "experiment/batch.h"
+#include "io/format.h"
 #include "plugin_watch.h"
 #include "plugins.h"
 #include "report/program_json.h"
@@ -25,8 +26,8 @@ void print(const Validation& validation, const ValidationResult& result) {
                        estimateText(of, of.cells[first + 1], false), estimateText(of, of.gain[real ? 1 : 0], true)});
         }
         std::fputs(cells.text().c_str(), stdout);
-        std::printf("gain ratio, %s over %s: %s; %zu trials", validation.reality.c_str(), validation.simulation.c_str(),
-                    survivesText(of).c_str(), of.trials.size());
+        std::printf("gain ratio, %s over %s: %s; %s", validation.reality.c_str(), validation.simulation.c_str(),
+                    survivesText(of).c_str(), counted(of.trials.size(), "trial").c_str());
         if (of.leftOut > 0) std::printf(", %zu left out, without a number in every cell", of.leftOut);
         std::printf("\nin %s: %s, %s; %s, %s\n\n", validation.reality.c_str(), validation.before.c_str(),
                     gainWithIntervalText(of.measure, negated(of.worse[0])).c_str(), validation.after.c_str(),

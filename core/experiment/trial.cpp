@@ -134,7 +134,7 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
         if (!experiment_.branch.empty()) {
             const ScenarioValue before = withoutBodies(*value, trial.drawn);
             auto loaded = scenarioOf(before);
-            if (!loaded) return tl::unexpected(told(loaded.error(), before, number));
+            if (!loaded) return tl::unexpected(told(loaded.error(), before, who(number)));
             if (!*loaded) continue;
             trial.before = std::move(**loaded);
         }
@@ -147,7 +147,7 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
             }
             varied = withoutBodies(std::move(varied), trial.drawn);
             auto loaded = scenarioOf(varied);
-            if (!loaded) return tl::unexpected(told(loaded.error(), varied, number));
+            if (!loaded) return tl::unexpected(told(loaded.error(), varied, who(number)));
             if (!*loaded) wanted = false;
             if (wanted && &variant == experiment_.variants.data()) {
                 const auto asked = isWanted(**loaded, trial.drawn);
@@ -165,9 +165,9 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
 }
 
 /// What is wrong with a trial's scenario `of`, of the draw or the variant that made it so.
-Error TrialMaker::told(Error error, const ScenarioValue& of, std::uint32_t number) const {
-    const auto made = [&](const std::string& path) { return isWithin(of, error.key, path); };
-    const std::string cause = error.key + ": " + error.cause + who(number);
+Error TrialMaker::told(Error error, const ScenarioValue& of, const std::string& where) const {
+    const auto made = [&](const std::string& path) { return isWithin(of, error, path); };
+    const std::string cause = error.key + ": " + error.cause + where;
     for (const Variant& variant : experiment_.variants)
         for (const auto& [path, value] : variant.set)
             if (made(path))
@@ -178,14 +178,35 @@ Error TrialMaker::told(Error error, const ScenarioValue& of, std::uint32_t numbe
             if (made(path))
                 return {experiment_.file, static_cast<int>(draw.line), static_cast<int>(draw.column),
                         "draw[\"" + draw.name + "\"]", cause};
-    error.cause += who(number);
+    error.cause += where;
     return error;
+}
+
+/// Whatever is drawn must make a scenario: each draw's ends and choices are tried, beside the others as first drawn.
+Expected<void> TrialMaker::checkEnds(const DrawnValues& first) {
+    for (std::size_t i = 0; i < experiment_.draws.size(); ++i) {
+        const Draw& draw = experiment_.draws[i];
+        std::vector<Value> ends = draw.choices;
+        if (draw.kind == Draw::Kind::uniform || draw.kind == Draw::Kind::normal)
+            for (const double end : {draw.least, draw.most})
+                if (std::isfinite(end)) ends.emplace_back(end);
+        for (const Value& end : ends) {
+            DrawnValues drawn = first;
+            drawn[i].value = end;
+            const auto value = drawnScenario(experiment_.firstTrial, drawn);
+            if (!value) return tl::unexpected(value.error());
+            if (const auto loaded = loadScenario(*value, library_, loading_); !loaded)
+                return tl::unexpected(told(loaded.error(), *value, " (as it may be drawn)"));
+        }
+    }
+    return {};
 }
 
 Expected<void> TrialMaker::check() {
     constexpr std::size_t mostSets = 256;
     const auto trial = make(experiment_.firstTrial);
     if (!trial) return tl::unexpected(trial.error());
+    if (auto fits = checkEnds(trial->drawn); !fits) return fits;
     std::vector<DrawnValues> sets{trial->drawn};
     for (std::size_t i = 0; i < experiment_.draws.size(); ++i) {
         const Draw& draw = experiment_.draws[i];
@@ -205,7 +226,7 @@ Expected<void> TrialMaker::check() {
         if (!value) return tl::unexpected(value.error());
         *value = withoutBodies(std::move(*value), drawn);
         auto loaded = loadScenario(*value, library_, loading_);
-        if (!loaded) return tl::unexpected(told(loaded.error(), *value, experiment_.firstTrial));
+        if (!loaded) return tl::unexpected(told(loaded.error(), *value, who(experiment_.firstTrial)));
         const Scenario scenario(std::move(loaded->parts));
         const WorldState start = scenario.initialState();
         const std::vector<RobotInsight> none(start.robots.size());

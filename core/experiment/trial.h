@@ -32,12 +32,13 @@ public:
     /// makes, or in an expression.
     Expected<Trial> make(std::uint32_t number);
 
-    /// That expressions fit the trials whatever bodies are there, as far as the start tells. Error: file, line and
-    /// column of the first thing wrong.
+    /// That the ends and choices of each draw make a scenario, and expressions fit the trials whatever bodies are
+    /// there, as far as the start tells. Error: file, line and column of the first thing wrong.
     Expected<void> check();
 
 private:
-    Error told(Error error, const ScenarioValue& of, std::uint32_t number) const;
+    Error told(Error error, const ScenarioValue& of, const std::string& where) const;
+    Expected<void> checkEnds(const DrawnValues& first);
     Expected<DrawnValues> draw(std::uint32_t number, int attempt);
     Expected<Value> valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,
                             const DrawnValues& drawn);

@@ -247,8 +247,7 @@ void readFormat(TomlTable& root, std::string_view kind) {
         root.reject("version",
                     "is " + std::to_string(version) + "; this program reads version " + std::to_string(networkVersion));
     if (const std::string is = root.string("kind"); is != kind)
-        root.reject("kind",
-                    "is a network of another kind, \"" + is + "\"; expected one of \"" + std::string(kind) + '"');
+        root.reject("kind", "is a network of another kind, \"" + is + "\"; expected \"" + std::string(kind) + '"');
 }
 
 std::vector<NetworkVariable> readVariables(TomlTable& root, std::string_view key, std::size_t most) {

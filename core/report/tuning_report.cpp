@@ -98,8 +98,9 @@ std::string evidenceTiles(const Tuning& tuning, const TunerResult& result) {
 std::string spentText(const Tuning& tuning, const TunerResult& result) {
     const auto dropped = std::ranges::count_if(result.candidates, &Candidate::dropped);
     const double all = static_cast<double>(result.candidates.size()) * tuning.options.trials;
-    return cat(counted(result.candidates.size(), "candidate"), " in ", std::to_string(tuning.options.trials),
-               " trials: ", std::to_string(result.evaluations), " evaluations; ", std::to_string(dropped),
+    return cat(counted(result.candidates.size(), "candidate"), " in ",
+               counted(static_cast<std::size_t>(tuning.options.trials), "trial"), ": ",
+               std::to_string(result.evaluations), " evaluations; ", std::to_string(dropped),
                " were dropped on the way, which saved ",
                fixed(100 * (1 - static_cast<double>(result.evaluations) / all), 0), "\u00a0% of the work.");
 }

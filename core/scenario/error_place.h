@@ -6,7 +6,8 @@
 
 namespace mrose {
 
-/// Whether `key`, as an error about a scenario names it, is at a path of its value or within what stands there.
-bool isWithin(const ScenarioValue& value, std::string key, const std::string& path);
+/// Whether an error about a scenario, or about a file that it names, is of what stands at a path of its value, or
+/// within that.
+bool isWithin(const ScenarioValue& value, const Error& error, const std::string& path);
 
 }  // namespace mrose

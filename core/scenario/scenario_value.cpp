@@ -25,6 +25,22 @@ Expected<ScenarioValue> ScenarioValue::overridden(std::string_view assignment) c
     return with(parsed->path, std::move(parsed->value));
 }
 
+/// The same without places in a text.
+static Value withoutPlaces(const Value& value) {
+    Value without = value;
+    if (const Value::Array* const array = value.asArray()) {
+        Value::Array elements;
+        for (const Value& element : *array) elements.push_back(withoutPlaces(element));
+        without = Value(std::move(elements));
+    } else if (const Value::Table* const table = value.asTable()) {
+        Value::Table entries;
+        for (const auto& [key, entry] : *table) entries.emplace(key, withoutPlaces(entry));
+        without = Value(std::move(entries));
+    }
+    without.line = without.column = 0;
+    return without;
+}
+
 Expected<ScenarioOverride> parseOverride(std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string_view before = assignment.substr(0, equals);
@@ -34,9 +50,7 @@ Expected<ScenarioOverride> parseOverride(std::string_view assignment) {
     const std::string text(assignment.substr(equals + 1));
     auto parsed = parseToml("value = " + text, "");
     const Value* const value = parsed ? parsed->find("value") : nullptr;
-    Value given = value ? *value : Value(text);
-    given.line = given.column = 0;
-    return ScenarioOverride{std::move(path), std::move(given)};
+    return ScenarioOverride{std::move(path), value ? withoutPlaces(*value) : Value(text)};
 }
 
 std::string ScenarioValue::bodyPath(std::string_view name) const {

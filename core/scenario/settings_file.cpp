@@ -24,7 +24,7 @@ Expected<ScenarioValue> Settings::putInto(const ScenarioValue& value) const {
 
 Error Settings::placed(const Error& error, const ScenarioValue& with) const {
     for (const auto& [path, setting] : set)
-        if (isWithin(with, error.key, path))
+        if (isWithin(with, error, path))
             return settingError(*this, path, setting, (error.key == path ? "" : error.key + ": ") + error.cause);
     return error;
 }

@@ -1,6 +1,7 @@
 #include "workflow/validate_behaviour.h"
 
 #include "experiment/results_table.h"
+#include "io/format.h"
 #include "report/validation_report.h"
 #include "scenario/description_library.h"
 #include "workflow/resources.h"
@@ -18,8 +19,8 @@ Expected<ValidatedBehaviour> validateBehaviour(const ValidateRequest& request, c
     Experiment& experiment = validation->experiment;
     if (request.trials && *request.trials > experiment.trials)
         return fail("",
-                    "is more than the " + std::to_string(experiment.trials) + " trials that " + request.file +
-                        " has; expected fewer, which its `trials` says to be unused",
+                    "is more than the " + counted(static_cast<std::size_t>(experiment.trials), "trial") + " that " +
+                        request.file + " has; expected fewer, which its `trials` says to be unused",
                     0, "--trials");
     if (request.trials) experiment.trials = *request.trials;
     ExperimentRequest runs{request.file, request.folder};

@@ -372,6 +372,16 @@ TEST_F(ExperimentTest, WhatIsWrongWithAFileIsOneLine) {
     EXPECT_THAT(refused.error().message(), testing::StartsWith("x.toml:7:8: draw[\"a\"]: "));
     EXPECT_THAT(refused.error().message(), HasSubstr("z_m: is not a known key"));
     EXPECT_THAT(refused.error().message(), HasSubstr("(trial 1)"));
+    // Also what it makes of a file that the scenario names, and before any trial what only few trials would draw.
+    const auto drawing = [&](const std::string& keys) {
+        const auto summary = run(experiment("trials = 1\n[[draw]]\nname = \"a\"\n" + keys), "drawing");
+        return summary ? "" : summary.error().message();
+    };
+    EXPECT_THAT(drawing("path = \"robot[1].type.mass\"\nfrom = 1\nto = 2\n"),
+                testing::StartsWith("x.toml:7:8: draw[\"a\"]: mass: is not a known key"));
+    const std::string far = drawing("path = \"robot[1].type.mass_kg\"\nfrom = 1\nto = 100001\n");
+    EXPECT_THAT(far, testing::StartsWith("x.toml:7:8: draw[\"a\"]: mass_kg: is 100001.0; expected"));
+    EXPECT_THAT(far, HasSubstr("(as it may be drawn)"));
 }
 
 TEST_F(ExperimentTest, WhatIsSetHoldsForAllTrials) {

@@ -90,7 +90,7 @@ std::string errorAfter(const std::string& from, const std::string& to) {
 
 TEST(AnyNetworkFile, OfAnotherKindSaysWhichItIs) {
     EXPECT_THAT(errorAfter("kind = \"nose\"", "kind = \"ear\""),
-                MatchesRegex("n.net:4:[0-9]+: kind: is a network of another kind, \"ear\"; expected one of \"nose\""));
+                MatchesRegex("n.net:4:[0-9]+: kind: is a network of another kind, \"ear\"; expected \"nose\""));
     EXPECT_THAT(errorAfter("format = \"mrose network\"", "format = \"mrose robot\""),
                 MatchesRegex("n.net:2:[0-9]+: format: is \"mrose robot\"; expected a network file, \"mrose network\""));
     EXPECT_THAT(errorAfter("version = 1", "version = 7"),

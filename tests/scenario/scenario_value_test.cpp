@@ -85,6 +85,9 @@ TEST(ScenarioValue, WhatDoesNotFitIsToldByItsPath) {
     EXPECT_EQ(refused("robot[9].network=n.net"),
               "s.toml: robot[9].network: names nothing that there is; expected a path such as robot[2].network");
     EXPECT_NE(refused("robot[1].network=none.net").find("\"none.net\" was not found"), std::string::npos);
+    // No line of a file says this.
+    EXPECT_EQ(refused("robot[1].start={x_m=0,y_q=2}"),
+              "s.toml: robot[\"one\"].start.y_q: is not a known key; did you mean y_m?");
 }
 
 TEST(ScenarioValue, OverridesAreOfTheirTypes) {

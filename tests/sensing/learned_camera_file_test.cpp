@@ -77,7 +77,7 @@ TEST(LearnedCameraFile, MistakesAreNamed) {
                 HasSubstr("learned.toml:8:8: sensor[\"a_name_of_22_letters__\"].name: expected at most 21 characters"));
     EXPECT_THAT(errorOf(named + "range_m = 3\n", text), HasSubstr("sensor[\"camera\"].range_m: is not a known key"));
     EXPECT_THAT(errorOf(named, networkText(arbitraryNetwork(MotionNetwork::Form::state))),
-                HasSubstr("c.net:4:8: kind: is a network of another kind, \"motion\"; expected one of \"sensor\""));
+                HasSubstr("c.net:4:8: kind: is a network of another kind, \"motion\"; expected \"sensor\""));
     const SensorNetwork poses = test::constantLocalisation({});
     EXPECT_THAT(errorOf(named + "latency_s = -0.1\n", sensorText(poses)), HasSubstr("sensor[\"camera\"].latency_s: "));
     EXPECT_THAT(errorOf(named + "range_m = 3\n", sensorText(poses)), HasSubstr("range_m: is not a known key"));
