@@ -106,7 +106,15 @@ InspectorRow rowsOf(const RowWriter& write, const SensorRows& of) {
     rows.push_back(tableRow(QObject::tr("subject"),
                             {of.logged ? metres : QString(), of.logged ? degrees : QString(), metres, degrees},
                             QObject::tr("range, and bearing counter-clockwise from its heading")));
-    for (const std::string& name : of.subjects()) {
+    const std::vector<std::string> subjects = of.subjects();
+    if (subjects.empty() && !(of.real.empty() && of.simulated.empty())) {
+        const auto nothing = [](const auto& looks) {
+            return looks.empty() ? QStringList{"", ""} : QStringList{QObject::tr("none"), ""};
+        };
+        rows.push_back(
+            tableRow("", nothing(of.real) + nothing(of.simulated), QObject::tr("it looked, and reported nothing")));
+    }
+    for (const std::string& name : subjects) {
         const QStringList real = of.logged ? readingCells(of.in(of.real, name)) : QStringList{"", ""};
         rows.push_back(tableRow(
             qtText(name), real + readingCells(of.in(of.simulated, name)),

@@ -45,11 +45,13 @@ std::string timesText(const SensorInspection& sensor) {
     std::string text;
     if (sensor.period > 0) text = "every " + fixed(sensor.period, 3) + " ± " + fixed(sensor.periodSpread, 3) + " s; ";
     if (!sensor.lateness.identified) return text + "lateness not identified: " + sensor.lateness.reason;
-    return text + "late by " + fixed(1000 * sensor.lateness.lateness, 0) + " ± " +
-           fixed(1000 * sensor.lateness.error, 0) + " ms";
+    const int digits = sensor.lateness.error < 0.001 ? 1 : 0;
+    return text + "late by " + fixed(1000 * sensor.lateness.lateness, digits) + " ± " +
+           fixed(1000 * sensor.lateness.error, digits) + " ms";
 }
 
 std::string truthText(const SensorInspection& sensor) {
+    if (sensor.gross == sensor.known) return "off the ground truth: all of them gross (beyond 1 m or 0.15 rad)";
     return "off the ground truth: range " + fixed(1000 * sensor.rangeOffset, 0) + " ± " +
            fixed(1000 * sensor.rangeSpread, 0) + " mm, bearing " + fixed(1000 * sensor.bearingOffset, 1) + " ± " +
            fixed(1000 * sensor.bearingSpread, 1) + " mrad; " + fixed(100 * sensor.grossShare(), 2) +

@@ -340,8 +340,8 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
     addResponseTimes(*sub, *flags);
     addSensor(*sub, *flags);
     addKicker(*sub, *flags);
-    const CLI::Option* components = sub->get_option("--components");
-    return {sub, [flags, components, &common] {
+    const CLI::Option *components = sub->get_option("--components"), *hidden = sub->get_option("--hidden");
+    return {sub, [flags, components, hidden, &common] {
                 if (*components && !flags->kicker && flags->sensor.sensor.empty()) {
                     report(Error{{}, 0, 0, "--components", "is for --sensor and --kicker"});
                     return static_cast<int>(usage);
@@ -353,6 +353,10 @@ Subcommand addTrain(CLI::App& app, CommonFlags& common) {
                 if (flags->kicker) return runTrainKicker(flags->wholeKicker(common), common);
                 if (*components && flags->family != "network") {
                     report(Error{{}, 0, 0, "--components", "is for --family network alone"});
+                    return static_cast<int>(usage);
+                }
+                if (*hidden && !flags->sensor.sensor.empty() && flags->family != "network") {
+                    report(Error{{}, 0, 0, "--hidden", "is for --family network alone"});
                     return static_cast<int>(usage);
                 }
                 return flags->sensor.sensor.empty() ? runTrain(flags->whole(common), common)

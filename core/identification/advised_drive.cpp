@@ -248,7 +248,8 @@ FamiliarDriving channelsWithin(const CommandLimits& limits, const MotionNetwork&
 Expected<AdvisedDrive> adviseDrive(const LearnedMotion& motion, std::span<const Log> logs, const AdviceOptions& options,
                                    const Progress& progress) {
     const CommandLimits& limits = options.limits;
-    if (limits.leastV >= 0 && limits.mostV <= 0 && limits.mostW <= 0) return fail("", "allow no motion", 0, "limits");
+    if (limits.leastV >= 0 && limits.mostV <= 0 && limits.mostW <= 0)
+        return fail("", "allow no motion; expected logs whose commands move the robot, or wider limits", 0, "limits");
     const FamiliarDriving channels = channelsWithin(options.limits, motion.network());
     const DrivingReader reader(motion.network().form, channels);
     const auto known = drivingOf(logs, motion.network(), reader);

@@ -61,6 +61,8 @@ std::vector<std::set<std::string>> groupsOfRobots(const std::vector<Log>& logs) 
     return groups;
 }
 
+constexpr int leastFolds = 2;
+
 /// What is learned from while a part is not known, and that part.
 struct Division {
     std::vector<Log> learned, rest;
@@ -108,10 +110,15 @@ Expected<Judged> learnWithout(int part, const std::vector<Log>& logs, const Moti
     if (!division) return tl::unexpected(division.error());
     SampleOptions own = sampling;
     own.heldOut = division->holdOut;
-    auto samples = motionSamples(division->learned, blueprint, own);
-    if (!samples) return tl::unexpected(samples.error());
-    removeTrackerOffsets(*samples);
-    auto trained = trainNetwork(blueprint, *samples, options, learns);
+    // What is left of short logs may not be enough for as many parts as the network itself is learned from.
+    const auto learned = [&]() -> Expected<TrainedNetwork> {
+        auto samples = motionSamples(division->learned, blueprint, own);
+        if (!samples) return tl::unexpected(samples.error());
+        removeTrackerOffsets(*samples);
+        return trainNetwork(blueprint, *samples, options, learns);
+    };
+    auto trained = learned();
+    for (; !trained && own.folds > leastFolds; trained = learned()) own.folds = std::max(leastFolds, own.folds / 2);
     if (!trained) return tl::unexpected(trained.error());
     own.phases = std::min(sampling.phases, 2);
     own.folds = 1;

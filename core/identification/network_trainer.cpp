@@ -203,7 +203,8 @@ Expected<TrainedNetwork> trainNetwork(const MotionNetwork& blueprint, const Moti
         MotionObjective objective(samples, network, options, fold);
         if (objective.learnedPatterns() == 0 || objective.heldOutChainCount() == 0)
             return fail("", "the logs are too short: part " + std::to_string(fold + 1) + " of " +
-                                std::to_string(samples.folds) + " leaves nothing to learn from or to hold out");
+                                std::to_string(samples.folds) +
+                                " leaves nothing to learn from or to hold out; expected longer logs, or fewer parts");
         Member member = learn(objective, options, m, progress);
         if (member.mlp.parameters.empty()) return fail("", "learning diverged: the loss is not a finite number");
         trained.cancelled = member.cancelled;

@@ -156,7 +156,7 @@ SensorLateness latenessOf(const SensorInspection& found, const RobotLog& robot,
     if (!tracked) return {false, "no ground truth"};
     if (found.readings > 0) return fitLateness(bearingMisfits(readings));
     if (found.poses > 0) return fitLateness(motionMisfits(robot, found.sensor));
-    return {false, "nothing says what its scans should show"};
+    return {false, found.scans > 0 ? "nothing says what its scans should show" : "it reported no subject"};
 }
 
 void checkMotion(SensorInspection& found, const RobotLog& robot) {

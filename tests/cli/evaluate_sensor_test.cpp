@@ -18,8 +18,10 @@ protected:
     /// A sensor that was learned in no time from the log that it is judged by.
     std::string learned(const std::string& family) {
         const std::string file = path(family + ".net");
-        const ProgramResult trained = runMrose({"train", folder_.path(), "--sensor", "camera", "--family", family, "-o",
-                                                file, "--epochs", "20", "--hidden", "4", "-q", "--overwrite"});
+        std::vector<std::string> how{"train", folder_.path(), "--sensor", "camera", "--family", family,
+                                     "-o",    file,           "--epochs", "20",     "-q",       "--overwrite"};
+        if (family == "network") how.insert(how.end(), {"--hidden", "4"});
+        const ProgramResult trained = runMrose(how);
         EXPECT_EQ(trained.status, 0) << trained.err;
         return file;
     }

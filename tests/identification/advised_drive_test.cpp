@@ -84,7 +84,8 @@ TEST(AdvisedDrive, RefusesLimitsWithoutMotionAndLogsWithoutPatterns) {
     options.limits = {};
     const auto still = advised.drive(options);
     ASSERT_FALSE(still);
-    EXPECT_EQ(still.error().message(), "limits: allow no motion");
+    EXPECT_EQ(still.error().message(),
+              "limits: allow no motion; expected logs whose commands move the robot, or wider limits");
     const auto nothing = adviseDrive(advised.motion, {}, shortAdvice());
     ASSERT_FALSE(nothing);
     const auto cancelled =
