@@ -187,6 +187,19 @@ void describe(const std::vector<Member>& members, const NetworkTrainerOptions& o
     }
 }
 
+/// Told before anything is learned, of whatever part.
+Expected<void> checkParts(const MotionSamples& samples, const MotionNetwork& network,
+                          const NetworkTrainerOptions& options) {
+    for (int fold = 0; fold < std::min(options.members, samples.folds); ++fold) {
+        const MotionObjective objective(samples, network, options, fold);
+        if (objective.learnedPatterns() == 0 || objective.heldOutChainCount() == 0)
+            return fail("", "the logs are too short: part " + std::to_string(fold + 1) + " of " +
+                                std::to_string(samples.folds) +
+                                " leaves nothing to learn from or to hold out; expected longer logs, or fewer parts");
+    }
+    return {};
+}
+
 }  // namespace
 
 Expected<TrainedNetwork> trainNetwork(const MotionNetwork& blueprint, const MotionSamples& samples,
@@ -196,15 +209,12 @@ Expected<TrainedNetwork> trainNetwork(const MotionNetwork& blueprint, const Moti
     MotionNetwork& network = trained.network;
     network = blueprint;
     standardise(samples, network);
+    if (auto enough = checkParts(samples, network, options); !enough) return tl::unexpected(enough.error());
     std::vector<Member> members;
     double horizon = 0;
     for (int m = 0; m < options.members && !trained.cancelled; ++m) {
         const int fold = m % samples.folds;
         MotionObjective objective(samples, network, options, fold);
-        if (objective.learnedPatterns() == 0 || objective.heldOutChainCount() == 0)
-            return fail("", "the logs are too short: part " + std::to_string(fold + 1) + " of " +
-                                std::to_string(samples.folds) +
-                                " leaves nothing to learn from or to hold out; expected longer logs, or fewer parts");
         Member member = learn(objective, options, m, progress);
         if (member.mlp.parameters.empty()) return fail("", "learning diverged: the loss is not a finite number");
         trained.cancelled = member.cancelled;

@@ -67,12 +67,14 @@ std::string validationTiles(const Validation& validation, const ValidationResult
                     cat("95\u00a0% interval ", intervalText(of.measure, of.gain[place], minusSign)));
     };
     const AccountResult& account = result.account;
+    const double given = validation.account.simulatedHours;
     const bool known = std::isfinite(of.survives.value);
     return tileRow(
         cat(gain(0, validation.simulation), gain(1, validation.reality),
             tile("gain ratio", known ? fixed(100 * of.survives.value, 0) : "–", known ? "%" : "", ratioNote(of)),
             tile("hours of real robots spared", fixed(account.sparedHours(), 1), "h",
                  cat(hoursText(account.simulatedHours), " simulated",
+                     given > 0 ? cat(" (", hoursText(given), " by learning and tuning)") : "",
                      account.resetHours > 0 ? cat(" and ", hoursText(account.resetHours), " set up") : "",
                      account.logMinutes ? cat(", less ", hoursText(*account.logMinutes / 60), " of logs") : ""))));
 }

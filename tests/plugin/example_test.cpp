@@ -52,13 +52,15 @@ TEST(PluginExample, DockingGoesFromFilesToAValidatedController) {
         "mrose learn trials --target time_s --by-variant --hidden 4 --members 2 -o times.net --quiet\n"
         "mrose run docking.toml --settings tuned/settings.toml --set 'robot[1].controller.options.station=0' "
         "--set 'robot[1].controller.mappings={ times = \"times.net\" }'\n"
-        "mrose validate docking_validation.toml --trials 20 -o validated --quiet\n";
+        "mrose validate docking_validation.toml --trials 20 -o validated --quiet\n"
+        "mrose validate docking_choice_validation.toml --trials 20 -o chosen --quiet\n";
     const ProgramResult result = RunningProgram({"/bin/sh", "-e", "-c", script}).finish();
     EXPECT_EQ(result.status, 0) << result.out << result.err;
     EXPECT_EQ(result.out.find("fault"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("better than every variant alone"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("gain ratio, reality over "), std::string::npos) << result.out;
-    EXPECT_TRUE(std::filesystem::exists(home.path() / "docking/validated/report.html"));
+    for (const char* const page : {"docking/validated/report.html", "docking/chosen/report.html"})
+        EXPECT_TRUE(std::filesystem::exists(home.path() / page)) << page;
 }
 
 }  // namespace

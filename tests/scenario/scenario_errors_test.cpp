@@ -183,8 +183,7 @@ TEST(ScenarioErrors, ControllersAreReadCompletely) {
     for (const auto& [controller, message] : cases) EXPECT_EQ(withController(controller), message);
     const std::string motion =
         withController("{ kind = \"team_player\", target_m = [1, 2], choose = \"time\", time = \"n.net\" }");
-    EXPECT_TRUE(motion.starts_with("n.net:") && motion.find("\"motion\"; expected one of \"task\"") != motion.npos)
-        << motion;
+    EXPECT_TRUE(motion.starts_with("n.net:") && motion.find("\"motion\"; expected \"task\"") != motion.npos) << motion;
 }
 
 TEST(ScenarioErrors, TaskNetworksOfOtherNamesAreRefused) {
