@@ -38,7 +38,7 @@ void print(const Validation& validation, const ValidationResult& result) {
                 account.sparedHours());
     std::printf(": %.2f h simulated", account.simulatedHours);
     if (validation.account.simulatedHours > 0)
-        std::printf(" (%.0f h of them by learning and tuning)", validation.account.simulatedHours);
+        std::printf(" (%.2f h of them by learning and tuning)", validation.account.simulatedHours);
     if (account.resetHours > 0) std::printf(" and %.2f h to set robots up", account.resetHours);
     if (account.logMinutes) std::printf(", less %.2f h of logs", *account.logMinutes / 60);
     std::puts("");

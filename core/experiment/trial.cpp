@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenario/error_place.h"
 #include "scenario/start_check.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
@@ -22,6 +21,24 @@ double within(const Draw& draw, double u) {
 }
 
 std::string who(std::uint32_t number) { return " (trial " + std::to_string(number) + ')'; }
+
+Expected<ScenarioValue> with(ScenarioValue value, const Draw& draw, const Value& drawn) {
+    for (const std::string& path : draw.paths) {
+        auto changed = value.with(path, drawn);
+        if (!changed) return changed;
+        value = std::move(*changed);
+    }
+    return value;
+}
+
+Expected<ScenarioValue> with(ScenarioValue value, const Variant& variant) {
+    for (const auto& [path, set] : variant.set) {
+        auto changed = value.with(path, set);
+        if (!changed) return changed;
+        value = std::move(*changed);
+    }
+    return value;
+}
 
 }  // namespace
 
@@ -82,15 +99,9 @@ Expected<DrawnValues> TrialMaker::draw(std::uint32_t number, int attempt) {
 }
 
 Expected<ScenarioValue> TrialMaker::drawnScenario(std::uint32_t number, const DrawnValues& drawn) const {
-    auto seeded = experiment_.scenario.with("seed", static_cast<std::int64_t>(experiment_.noiseSeed(number, 0)));
-    if (!seeded) return seeded;
-    ScenarioValue value = std::move(*seeded);
-    for (std::size_t i = 0; i < experiment_.draws.size(); ++i)
-        for (const std::string& path : experiment_.draws[i].paths) {
-            auto changed = value.with(path, drawn[i].value);
-            if (!changed) return tl::unexpected(changed.error());
-            value = std::move(*changed);
-        }
+    auto value = experiment_.scenario.with("seed", static_cast<std::int64_t>(experiment_.noiseSeed(number, 0)));
+    for (std::size_t i = 0; value && i < experiment_.draws.size(); ++i)
+        value = with(std::move(*value), experiment_.draws[i], drawn[i].value);
     return value;
 }
 
@@ -132,22 +143,16 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
         Trial trial{std::move(*drawn), {}};
         bool wanted = true;
         if (!experiment_.branch.empty()) {
-            const ScenarioValue before = withoutBodies(*value, trial.drawn);
-            auto loaded = scenarioOf(before);
-            if (!loaded) return tl::unexpected(told(loaded.error(), before, who(number)));
+            auto loaded = scenarioOf(withoutBodies(*value, trial.drawn));
+            if (!loaded) return tl::unexpected(told(loaded.error(), trial.drawn, nullptr, who(number)));
             if (!*loaded) continue;
             trial.before = std::move(**loaded);
         }
         for (const Variant& variant : experiment_.variants) {
-            ScenarioValue varied = *value;
-            for (const auto& [path, set] : variant.set) {
-                auto changed = varied.with(path, set);
-                if (!changed) return tl::unexpected(changed.error());
-                varied = std::move(*changed);
-            }
-            varied = withoutBodies(std::move(varied), trial.drawn);
-            auto loaded = scenarioOf(varied);
-            if (!loaded) return tl::unexpected(told(loaded.error(), varied, who(number)));
+            const auto varied = with(*value, variant);
+            if (!varied) return tl::unexpected(varied.error());
+            auto loaded = scenarioOf(withoutBodies(*varied, trial.drawn));
+            if (!loaded) return tl::unexpected(told(loaded.error(), trial.drawn, &variant, who(number)));
             if (!*loaded) wanted = false;
             if (wanted && &variant == experiment_.variants.data()) {
                 const auto asked = isWanted(**loaded, trial.drawn);
@@ -164,22 +169,39 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
     return tl::unexpected(experiment_.require.placed(cause, experiment_.file));
 }
 
-/// What is wrong with a trial's scenario `of`, of the draw or the variant that made it so.
-Error TrialMaker::told(Error error, const ScenarioValue& of, const std::string& where) const {
-    const auto made = [&](const std::string& path) { return isWithin(of, error, path); };
-    const std::string cause = error.key + ": " + error.cause + where;
-    for (const Variant& variant : experiment_.variants)
-        for (const auto& [path, value] : variant.set)
-            if (made(path))
-                return {experiment_.file, static_cast<int>(variant.line), static_cast<int>(variant.column),
-                        "variant[\"" + variant.name + "\"]", cause};
-    for (const Draw& draw : experiment_.draws)
-        for (const std::string& path : draw.paths)
-            if (made(path))
-                return {experiment_.file, static_cast<int>(draw.line), static_cast<int>(draw.column),
-                        "draw[\"" + draw.name + "\"]", cause};
+/// What is wrong with a trial's scenario, of the draw or the variant that makes the same mistake alone; of what is set
+/// twice the last one counts.
+Error TrialMaker::told(Error error, const DrawnValues& drawn, const Variant* variant, const std::string& where) {
+    const auto isMadeBy = [&](const Expected<ScenarioValue>& alone) {
+        if (!alone) return false;
+        const auto loaded = loadScenario(*alone, library_, loading_);
+        return !loaded && loaded.error().message() == error.message();
+    };
+    const auto toldAt = [&](std::uint32_t line, std::uint32_t column, const char* kind, const std::string& name) {
+        return Error{experiment_.file, static_cast<int>(line), static_cast<int>(column),
+                     std::string(kind) + "[\"" + name + "\"]", error.key + ": " + error.cause + where};
+    };
+    if (variant != nullptr && isMadeBy(with(experiment_.scenario, *variant)))
+        return toldAt(variant->line, variant->column, "variant", variant->name);
+    for (std::size_t i = experiment_.draws.size(); i-- > 0;) {
+        const Draw& draw = experiment_.draws[i];
+        if (isMadeBy(with(experiment_.scenario, draw, drawn[i].value)))
+            return toldAt(draw.line, draw.column, "draw", draw.name);
+    }
     error.cause += where;
     return error;
+}
+
+/// As it is drawn where draw `i` gives `value`: what is computed of it changes with it.
+Expected<DrawnValues> TrialMaker::drawnWith(DrawnValues drawn, std::size_t i, const Value& value) {
+    drawn[i].value = value;
+    for (std::size_t k = i + 1; k < experiment_.draws.size(); ++k) {
+        if (experiment_.draws[k].kind != Draw::Kind::computed) continue;
+        auto computed = valueOf(experiment_.draws[k], static_cast<std::uint32_t>(k), experiment_.firstTrial, 0, drawn);
+        if (!computed) return tl::unexpected(computed.error());
+        drawn[k].value = std::move(*computed);
+    }
+    return drawn;
 }
 
 /// Whatever is drawn must make a scenario: each draw's ends and choices are tried, beside the others as first drawn.
@@ -191,12 +213,18 @@ Expected<void> TrialMaker::checkEnds(const DrawnValues& first) {
             for (const double end : {draw.least, draw.most})
                 if (std::isfinite(end)) ends.emplace_back(end);
         for (const Value& end : ends) {
-            DrawnValues drawn = first;
-            drawn[i].value = end;
-            const auto value = drawnScenario(experiment_.firstTrial, drawn);
+            const auto drawn = drawnWith(first, i, end);
+            if (!drawn) return tl::unexpected(drawn.error());
+            const auto value = drawnScenario(experiment_.firstTrial, *drawn);
             if (!value) return tl::unexpected(value.error());
-            if (const auto loaded = loadScenario(*value, library_, loading_); !loaded)
-                return tl::unexpected(told(loaded.error(), *value, " (as it may be drawn)"));
+            if (loadScenario(*value, library_, loading_)) continue;
+            // Wrong as it is drawn; a variant may set it otherwise.
+            for (const Variant& variant : experiment_.variants) {
+                const auto varied = with(*value, variant);
+                if (!varied) return tl::unexpected(varied.error());
+                if (const auto loaded = loadScenario(*varied, library_, loading_); !loaded)
+                    return tl::unexpected(told(loaded.error(), *drawn, &variant, " (as it may be drawn)"));
+            }
         }
     }
     return {};
@@ -226,7 +254,7 @@ Expected<void> TrialMaker::check() {
         if (!value) return tl::unexpected(value.error());
         *value = withoutBodies(std::move(*value), drawn);
         auto loaded = loadScenario(*value, library_, loading_);
-        if (!loaded) return tl::unexpected(told(loaded.error(), *value, who(experiment_.firstTrial)));
+        if (!loaded) return tl::unexpected(told(loaded.error(), drawn, nullptr, who(experiment_.firstTrial)));
         const Scenario scenario(std::move(loaded->parts));
         const WorldState start = scenario.initialState();
         const std::vector<RobotInsight> none(start.robots.size());

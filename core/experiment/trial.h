@@ -37,7 +37,8 @@ public:
     Expected<void> check();
 
 private:
-    Error told(Error error, const ScenarioValue& of, const std::string& where) const;
+    Error told(Error error, const DrawnValues& drawn, const Variant* variant, const std::string& where);
+    Expected<DrawnValues> drawnWith(DrawnValues drawn, std::size_t i, const Value& value);
     Expected<void> checkEnds(const DrawnValues& first);
     Expected<DrawnValues> draw(std::uint32_t number, int attempt);
     Expected<Value> valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,

@@ -1,5 +1,8 @@
 #include "scenario/settings_file.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "scenario/description_reader.h"
 #include "scenario/error_place.h"
 
@@ -23,10 +26,12 @@ Expected<ScenarioValue> Settings::putInto(const ScenarioValue& value) const {
 }
 
 Error Settings::placed(const Error& error, const ScenarioValue& with) const {
-    for (const auto& [path, setting] : set)
-        if (isWithin(with, error, path))
-            return settingError(*this, path, setting, (error.key == path ? "" : error.key + ": ") + error.cause);
-    return error;
+    const auto at = [&](const std::pair<std::string, Value>& one) { return isWithin(with, error, one.first); };
+    const auto found = std::ranges::find_if(set, at);
+    // Of robots of one file an error does not say which of them it is about.
+    if (found == set.end() || std::find_if(found + 1, set.end(), at) != set.end()) return error;
+    const auto& [path, setting] = *found;
+    return settingError(*this, path, setting, (error.key == path ? "" : error.key + ": ") + error.cause);
 }
 
 Expected<Settings> readSettings(const Value& content, const std::string& file) {

@@ -384,6 +384,36 @@ TEST_F(ExperimentTest, WhatIsWrongWithAFileIsOneLine) {
     EXPECT_THAT(far, HasSubstr("(as it may be drawn)"));
 }
 
+/// Ends of draws are tried as trials would have them: with what is computed of them, and with what variants set.
+TEST_F(ExperimentTest, EndsOfDrawsAreTriedAsTrialsHaveThem) {
+    const Experiment ordered = experiment(
+        "trials = 3\n[set]\n\"robot[1].controller.commands\" = [{ t_s = 0, v_mps = 0.4 }, { t_s = 9, v_mps = 0 }]\n"
+        "[[draw]]\nname = \"t\"\npath = \"robot[1].controller.commands[1].t_s\"\nfrom = 0\nto = 2\n"
+        "[[draw]]\nname = \"u\"\npath = \"robot[1].controller.commands[2].t_s\"\nvalue = 'draw.t + 0.5'\n");
+    const auto inOrder = run(ordered, "ordered");
+    EXPECT_TRUE(inOrder) << inOrder.error().message();
+    const std::string mass =
+        "trials = 3\n[[draw]]\nname = \"m\"\npath = \"robot[1].type.mass_kg\"\nfrom = -2\nto = 9\n";
+    const auto replaced =
+        run(experiment(mass + "[[variant]]\nname = \"v\"\nset = { \"robot[1].type.mass_kg\" = 5 }\n"), "replaced");
+    EXPECT_TRUE(replaced) << replaced.error().message();
+    const auto refused =
+        run(experiment(mass + "[[variant]]\nname = \"v\"\nset = { \"object[1].mass_kg\" = 5 }\n"), "refused");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), testing::StartsWith("x.toml:7:8: draw[\"m\"]: mass_kg: is -"));
+}
+
+/// Two bodies of one file: the error of the file does not say of which.
+TEST_F(ExperimentTest, OfTwoDrawsTheOneIsToldThatMakesTheMistake) {
+    const auto refused = run(
+        experiment("trials = 3\n[[draw]]\nname = \"one\"\npath = \"object[1].shape.part[1].circle.radius_m\"\nfrom = "
+                   "0.1\nto = 0.2\n[[draw]]\nname = \"two\"\npath = "
+                   "\"object[2].shape.part[1].circle.radius_m\"\nfrom = -1\nto = 0.2\n"),
+        "two");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), testing::StartsWith("x.toml:12:8: draw[\"two\"]: "));
+}
+
 TEST_F(ExperimentTest, WhatIsSetHoldsForAllTrials) {
     const Experiment lane = experiment(
         "trials = 2\n[set]\n\"robot[1].controller.commands[1].v_mps\" = 0.1\n"
