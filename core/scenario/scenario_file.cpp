@@ -57,12 +57,12 @@ private:
     const RobotDescription* robotDescription(TomlTable& table);
     const RobotDescription* withOwnNetwork(TomlTable& table, const RobotDescription* robot);
     std::uint32_t typeIndex(const RobotDescription& robot, bool person);
-    struct Doubt {
-        MotionDraw draw;  ///< of what the network has learned
+    struct DrawnNoise {
+        MotionDraw learned;  ///< of what the network knows
         MotionNoise constant;
     };
-    Doubt doubt(TomlTable& table, const RobotDescription& robot, bool playsLog);
-    std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot, const Doubt& doubt);
+    DrawnNoise drawnNoise(TomlTable& table, const RobotDescription& robot, bool playsLog);
+    std::uint32_t modelIndex(const RobotDescription& robot, const std::string& motionRobot, const DrawnNoise& noise);
     std::string motionRobot(TomlTable& table, const RobotDescription& robot);
     std::int64_t phase(TomlTable& table, const MotionModel& model);
     void readNumber(TomlTable& table, SceneRobot& robot);
@@ -187,9 +187,9 @@ std::string ScenarioReader::motionRobot(TomlTable& table, const RobotDescription
     return chosen;
 }
 
-/// A robot that plays a log is compared with the real one: it moves by the mean. Where the scenario says how it moves,
-/// noise of the robot file's own counts no more.
-ScenarioReader::Doubt ScenarioReader::doubt(TomlTable& table, const RobotDescription& robot, bool playsLog) {
+/// A robot that plays a log is compared with the real one: its network's mean moves it. Where the scenario says how it
+/// moves, the robot file's constant noise does not count.
+ScenarioReader::DrawnNoise ScenarioReader::drawnNoise(TomlTable& table, const RobotDescription& robot, bool playsLog) {
     if (!table.has("learned_noise")) return {playsLog ? MotionDraw::mean : robot.motionDraw, robot.motionNoise};
     const bool drawn = table.boolean("learned_noise");
     if (drawn && !(robot.motion && robot.motion->network().noise))
@@ -198,14 +198,14 @@ ScenarioReader::Doubt ScenarioReader::doubt(TomlTable& table, const RobotDescrip
 }
 
 std::uint32_t ScenarioReader::modelIndex(const RobotDescription& robot, const std::string& motionRobot,
-                                         const Doubt& doubt) {
+                                         const DrawnNoise& noise) {
     const void* const motion = robot.motion ? static_cast<const void*>(robot.motion.get()) : robot.model.get();
-    const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, doubt.constant, doubt.draw),
+    const auto [model, added] = models_.emplace(std::tuple(motion, motionRobot, noise.constant, noise.learned),
                                                 static_cast<std::uint32_t>(scene_.models.size()));
     if (!added) return model->second;
     std::shared_ptr<const MotionModel> own = robot.model;
-    if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot, doubt.draw);
-    scene_.models.push_back(withNoise(std::move(own), doubt.constant));
+    if (robot.motion) own = std::make_shared<const LearnedModel>(robot.motion, motionRobot, noise.learned);
+    scene_.models.push_back(withNoise(std::move(own), noise.constant));
     return model->second;
 }
 
@@ -251,7 +251,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
         setting = readController(table.table("controller"),
                                  {*robot, ballRadius(), walls_, scene_.environment, robots_, scene_.robots.size()},
                                  name_, library_, loading_);
-    body.model = modelIndex(*robot, body.motionRobot, doubt(table, *robot, setting.played.has_value()));
+    body.model = modelIndex(*robot, body.motionRobot, drawnNoise(table, *robot, setting.played.has_value()));
     if (setting.logStart && !table.has("start"))
         body.start = *setting.logStart;
     else

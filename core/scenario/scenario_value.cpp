@@ -4,6 +4,25 @@
 #include "io/value_bytes.h"
 
 namespace mrose {
+namespace {
+
+/// The same without places in a text.
+Value withoutPlaces(const Value& value) {
+    Value without = value;
+    if (const Value::Array* const array = value.asArray()) {
+        Value::Array elements;
+        for (const Value& element : *array) elements.push_back(withoutPlaces(element));
+        without = Value(std::move(elements));
+    } else if (const Value::Table* const table = value.asTable()) {
+        Value::Table entries;
+        for (const auto& [key, entry] : *table) entries.emplace(key, withoutPlaces(entry));
+        without = Value(std::move(entries));
+    }
+    without.line = without.column = 0;
+    return without;
+}
+
+}  // namespace
 
 ScenarioValue::ScenarioValue(std::string name, Value content)
     : file_(std::make_shared<const DescriptionFile>(DescriptionFile{std::move(name), {}, std::move(content)})) {}
@@ -23,22 +42,6 @@ Expected<ScenarioValue> ScenarioValue::overridden(std::string_view assignment) c
     auto parsed = parseOverride(assignment);
     if (!parsed) return tl::unexpected(parsed.error());
     return with(parsed->path, std::move(parsed->value));
-}
-
-/// The same without places in a text.
-static Value withoutPlaces(const Value& value) {
-    Value without = value;
-    if (const Value::Array* const array = value.asArray()) {
-        Value::Array elements;
-        for (const Value& element : *array) elements.push_back(withoutPlaces(element));
-        without = Value(std::move(elements));
-    } else if (const Value::Table* const table = value.asTable()) {
-        Value::Table entries;
-        for (const auto& [key, entry] : *table) entries.emplace(key, withoutPlaces(entry));
-        without = Value(std::move(entries));
-    }
-    without.line = without.column = 0;
-    return without;
 }
 
 Expected<ScenarioOverride> parseOverride(std::string_view assignment) {
