@@ -143,13 +143,24 @@ std::string statisticsText(const Scenario& scenario, const RunStatistics& statis
     return text;
 }
 
+std::string measuredText(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// 0: of none.
+std::uint32_t trialOf(const ScenarioRun& run, const RunRequest& request) {
+    return run.opened.trial ? run.opened.trial->number : request.scenario.trial;
+}
+
 void print(const ScenarioRun& run, const RunRequest& request, double wall) {
     const RunResult& result = run.result;
     const Scenario& scenario = run.scenario();
     const double simulated = toSeconds(result.state.tick * scenario.scene().tickLength);
     const double taken = toSeconds(result.statistics.ticks * scenario.scene().tickLength);
     const auto& drawn = run.opened.trial;
-    const std::uint32_t number = drawn ? drawn->number : request.scenario.trial;
+    const std::uint32_t number = trialOf(run, request);
     std::string trial = number > 0 ? ", trial " + std::to_string(number) : "";
     if (drawn && !drawn->variant.empty()) trial += ", " + drawn->variant;
     std::printf("%s%s, seed %llu: %.2f s%s", scenario.parts().name.c_str(), trial.c_str(),
@@ -157,6 +168,11 @@ void print(const ScenarioRun& run, const RunRequest& request, double wall) {
                 endText(result.end, !request.until.empty()));
     if (wall > 0) std::printf(" (%s x real time)", factorText(taken / wall).c_str());
     std::printf("\n%s", statisticsText(scenario, result.statistics).c_str());
+    if (!run.measured.empty()) {
+        TextTable table({"", ""});
+        for (const auto& [name, value] : run.measured) table.add({name, measuredText(value)});
+        std::printf("%s", table.text().c_str());
+    }
     if (request.checkRewind && result.end != RunEnd::rewind)
         std::printf("%lld ticks taken twice, each time with the same end\n",
                     static_cast<long long>(result.statistics.ticks));
@@ -179,7 +195,8 @@ int runRun(const RunRequest& request, double speed, const CommonFlags& common) {
     const RunResult& result = run->result;
     if (common.json)
         std::puts(runJson(run->scenario(), result,
-                          {request.scenario.trial, request.checkRewind, run->recorded ? request.recording : ""})
+                          {trialOf(*run, request), request.checkRewind, run->recorded ? request.recording : "",
+                           run->measured})
                       .c_str());
     else
         print(*run, request, common.quiet ? 0 : conductor.wallSeconds());

@@ -48,7 +48,8 @@ public:
             result_.end = **end;
             break;
         }
-        if (options_.finally) options_.finally(now());
+        if (options_.finally)
+            if (const auto told = options_.finally(now()); !told) return tl::unexpected(told.error());
         return std::move(result_);
     }
 

@@ -24,7 +24,7 @@ struct RunOptions {
     bool watchFollows = false;  ///< `watch` reads what robots saw and decided
     std::int64_t every = 1;     ///< ticks from one question of `until` and `watch` to the next
     /// Told the run's end, of whatever kind. May be empty.
-    std::function<void(const Moment&)> finally = {};
+    std::function<Expected<void>(const Moment&)> finally = {};
     bool endOnFault = false;
     bool checkRewind = false;      ///< takes every tick twice; the run ends where that makes a difference
     bool traceUnread = false;      ///< StepTrace::asksUnread; for a condition that reads sensors so it is without
@@ -42,7 +42,7 @@ struct RunResult {
     std::vector<RewindDifference> hidden;  ///< what ended it, of RunEnd::rewind
 };
 
-/// Runs a scenario from a state. Error: the condition cannot be answered.
+/// Runs a scenario from a state. Error: the condition cannot be answered, or that of `watch` or `finally`.
 Expected<RunResult> run(const Scenario& scenario, const WorldState& state, const RunOptions& options);
 
 }  // namespace mrose

@@ -258,9 +258,9 @@ Expected<void> TrialMaker::check() {
         const Scenario scenario(std::move(loaded->parts));
         const WorldState start = scenario.initialState();
         const std::vector<RobotInsight> none(start.robots.size());
-        const auto compiled =
-            expressions_.of({.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn});
-        if (!compiled) return tl::unexpected(compiled.error());
+        const Moment moment{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
+        if (const auto compiled = expressions_.of(moment); !compiled) return tl::unexpected(compiled.error());
+        if (auto there = expressions_.checkEntries(moment); !there) return there;
     }
     return {};
 }

@@ -31,9 +31,8 @@ std::vector<const FileExpression*> allOf(const Experiment& experiment) {
     return all;
 }
 
-/// What controllers and motion models remember is known by what they explain at the start: a misspelt entry would be
-/// NaN throughout.
-Expected<void> checkEntries(const FileExpression& expression, const Moment& start, const std::string& file) {
+/// What controllers and motion models remember is known by what they explain at the start.
+Expected<void> entriesAreThere(const FileExpression& expression, const Moment& start, const std::string& file) {
     for (const LuaPath& path : luaPaths(expression.text)) {
         const auto key = keyOfPath(*start.scenario, std::string(path.text));
         const auto value = key ? boundValue(*start.scenario, *key) : Expected<BoundValue>(fail("", ""));
@@ -62,6 +61,12 @@ Expected<CompiledExpressions*> TrialExpressions::of(const Moment& start) {
         found = compiled_.emplace(signature, std::move(*all)).first;
     }
     return &found->second;
+}
+
+Expected<void> TrialExpressions::checkEntries(const Moment& start) const {
+    for (const FileExpression* one : allOf(experiment_))
+        if (auto there = entriesAreThere(*one, start, experiment_.file); !there) return there;
+    return {};
 }
 
 Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) const {
@@ -96,8 +101,6 @@ Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) co
         if (done) done = value(measure.expression, all.measures, atEnd ? &above : nullptr);
         above.push_back({measure.name, Value(never)});
     }
-    for (const FileExpression* one : allOf(experiment_))
-        if (done) done = checkEntries(*one, start, experiment_.file);
     if (!done) return tl::unexpected(done.error());
     all.follows = readsInsights(experiment_.until.text, scenario) ||
                   std::ranges::any_of(experiment_.measures, [&](const Measure& measure) {

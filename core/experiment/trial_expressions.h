@@ -25,6 +25,9 @@ public:
 
     /// `start`: of a trial, with what was drawn for it. Error: file, line and column of the first thing wrong.
     Expected<CompiledExpressions*> of(const Moment& start);
+    /// That what they ask of controllers' and motion models' memories is there: otherwise it is NaN, as it is in
+    /// variants with other ones. Error: likewise.
+    Expected<void> checkEntries(const Moment& start) const;
 
 private:
     Expected<CompiledExpressions> compiled(const Moment& start) const;

@@ -1,7 +1,6 @@
 #include "experiment/trial_run.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace mrose {
 
@@ -22,6 +21,32 @@ std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene)
     return std::max<std::int64_t>(1, experiment.every / scene.tickLength);
 }
 
+TrialMeasurement measurementOf(const Experiment& experiment, CompiledExpressions& compiled, const Scenario& scenario) {
+    return {experiment, compiled, ticksBetweenLooks(experiment, scenario.scene()) * scenario.scene().tickLength};
+}
+
+RunOptions measuring(TrialMeasurement& measurement, const CompiledExpressions& compiled, const Experiment& experiment,
+                     const Scenario& scenario, const DrawnValues& drawn) {
+    RunOptions options;
+    options.duration = scenario.parts().duration;
+    options.endOnFault = true;
+    options.watchFollows = compiled.follows;
+    options.every = ticksBetweenLooks(experiment, scenario.scene());
+    options.drawn = &drawn;
+    options.watch = [&measurement](const Moment& at) { return measurement.look(at); };
+    options.finally = [&measurement](const Moment& at) { return measurement.end(at); };
+    return options;
+}
+
+std::vector<MeasuredValue> measuredValues(const Experiment& experiment, const TrialMeasurement& measurement) {
+    std::vector<MeasuredValue> values;
+    for (std::size_t i = 0; i < experiment.features.size(); ++i)
+        values.push_back({"feature." + experiment.features[i].name, measurement.features()[i]});
+    for (std::size_t i = 0; i < experiment.measures.size(); ++i)
+        values.push_back({"measure." + experiment.measures[i].name, measurement.measures()[i]});
+    return values;
+}
+
 namespace {
 
 /// From a start; `asked` is the moment at which features are asked.
@@ -29,27 +54,12 @@ Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledE
                                    TrialMeasurement measurement, const Moment& asked, const Scenario& scenario,
                                    const WorldState& start, const GoesOn& goesOn, bool countsUnfamiliar) {
     if (const auto begun = measurement.begin(asked); !begun) return tl::unexpected(begun.error());
-    RunOptions options;
-    options.duration = scenario.parts().duration;
-    options.endOnFault = true;
+    RunOptions options = measuring(measurement, compiled, experiment, scenario, *asked.drawn);
     options.countsUnfamiliar = countsUnfamiliar;
-    options.watchFollows = compiled.follows;
-    options.every = ticksBetweenLooks(experiment, scenario.scene());
-    options.drawn = asked.drawn;
-    options.watch = [&](const Moment& at) { return measurement.look(at); };
-    std::optional<Error> wrong;
-    options.finally = [&](const Moment& at) {
-        if (const auto ended = measurement.end(at); !ended) wrong = ended.error();
-    };
     options.goesOn = [&](const WorldState&) { return !goesOn || goesOn(); };
     auto result = run(scenario, start, options);
     if (!result) return tl::unexpected(result.error());
-    if (wrong) return tl::unexpected(*wrong);
     return MeasuredRun{std::move(*result), std::move(measurement)};
-}
-
-TrialMeasurement measurementOf(const Experiment& experiment, CompiledExpressions& compiled, const Scenario& scenario) {
-    return {experiment, compiled, ticksBetweenLooks(experiment, scenario.scene()) * scenario.scene().tickLength};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "experiment/branching.h"
@@ -41,6 +42,20 @@ private:
 
 /// How often a run of a trial is looked at, in its ticks.
 std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene);
+
+TrialMeasurement measurementOf(const Experiment& experiment, CompiledExpressions& compiled, const Scenario& scenario);
+
+/// How a run of a trial goes on from where `measurement` began: until it is over or a controller fails, measured. What
+/// is given must outlive the run.
+RunOptions measuring(TrialMeasurement& measurement, const CompiledExpressions& compiled, const Experiment& experiment,
+                     const Scenario& scenario, const DrawnValues& drawn);
+
+/// What was measured, named as the columns of the experiment's results are.
+struct MeasuredValue {
+    std::string name;  ///< "feature.NAME", "measure.NAME"
+    double value;      ///< NaN where it is not known
+};
+std::vector<MeasuredValue> measuredValues(const Experiment& experiment, const TrialMeasurement& measurement);
 
 struct MeasuredRun {
     RunResult result;

@@ -214,6 +214,7 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
     json["world_hash"] = hexadecimal(hashOf(result.state).world);
     if (names.rewindChecked && result.end != RunEnd::rewind) json["ticks_taken_twice"] = statistics.ticks;
     if (!names.recording.empty()) json["recording"] = names.recording;
+    for (const auto& [name, value] : names.measured) json[name] = value;
     return json.dump(2);
 }
 

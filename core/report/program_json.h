@@ -6,6 +6,7 @@
 #include "experiment/batch.h"
 #include "experiment/experiment.h"
 #include "experiment/run.h"
+#include "experiment/trial_run.h"
 #include "identification/log_inspection.h"
 #include "identification/network_trainer.h"
 #include "perception/sensor_network.h"
@@ -31,6 +32,7 @@ struct RunNames {
     std::uint32_t trial = 0;
     bool rewindChecked = false;
     std::string recording = {};  ///< "": none that is whole
+    std::vector<MeasuredValue> measured = {};
 };
 std::string runJson(const Scenario& scenario, const RunResult& result, const RunNames& names);
 

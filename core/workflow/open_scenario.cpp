@@ -163,9 +163,9 @@ Expected<LoadedScenario> goingOnFrom(const BranchPoint& point, const LoadedScena
     return loadScenario(*value, ScenarioLoading{plugins});
 }
 
-/// A trial of an experiment.
-Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioRequest& request,
-                                   const PluginLoader& plugins, OpenedTrial& opened) {
+/// A trial of `opened.experiment`.
+Expected<LoadedScenario> loadTrial(const ScenarioRequest& request, const PluginLoader& plugins, OpenedTrial& opened) {
+    const Experiment& experiment = *opened.experiment;
     const auto isAsked = [&](const Variant& variant) { return variant.name == request.variant; };
     const auto& variants = experiment.variants;
     const auto variant =
@@ -184,7 +184,7 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
     if (trial->before) {
         if (request.plugins.loaded) request.plugins.loaded(trial->before->parts);
-        const auto point = runToBranch(experiment, expressions, std::move(trial->before->parts), trial->drawn);
+        auto point = runToBranch(experiment, expressions, std::move(trial->before->parts), trial->drawn);
         if (!point) return tl::unexpected(point.error());
         auto begun = goingOnFrom(*point, loaded, plugins);
         if (!begun)
@@ -192,9 +192,11 @@ Expected<LoadedScenario> loadTrial(const Experiment& experiment, const ScenarioR
                 begun.error().cause + " (trial " + std::to_string(number) + ')', experiment.file));
         loaded = std::move(*begun);
         trial->drawn = point->drawn;
+        opened.branch = std::make_shared<const BranchPoint>(std::move(*point));
     }
-    opened = {experiment.file,         number,           variant->name,
-              std::move(trial->drawn), experiment.until, ticksBetweenLooks(experiment, loaded.parts.scene)};
+    opened.number = number;
+    opened.variant = variant->name;
+    opened.drawn = std::move(trial->drawn);
     return std::move(loaded);
 }
 
@@ -231,12 +233,13 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
     ReadOnce source(from);
     HashingLoader plugins(request.plugins);
     const PluginLoader hashed = plugins.loader();
-    const auto experiment = openExperiment(request.file, request.overrides, source, request.settings);
+    auto experiment = openExperiment(request.file, request.overrides, source, request.settings);
     if (!experiment) return tl::unexpected(experiment.error());
     std::optional<OpenedTrial> trial;
     Expected<LoadedScenario> loaded;
     if (*experiment) {
-        loaded = loadTrial((*experiment)->experiment, request, hashed, trial.emplace());
+        trial.emplace().experiment = std::make_shared<const Experiment>(std::move((*experiment)->experiment));
+        loaded = loadTrial(request, hashed, *trial);
     } else if (!request.variant.empty()) {
         return fail(request.file, "is no experiment, and has no variant \"" + request.variant + '"');
     } else {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/branching.h"
 #include "experiment/experiment_file.h"
 #include "quantities/drawn_values.h"
 #include "workflow/plugins.h"
@@ -28,12 +29,11 @@ struct ScenarioRequest {
 
 /// What an experiment says of one of its trials beside the scenario.
 struct OpenedTrial {
-    std::string file;  ///< the experiment's
+    std::shared_ptr<const Experiment> experiment;
     std::uint32_t number = 0;
     std::string variant;
     DrawnValues drawn;
-    FileExpression until;
-    std::int64_t every = 1;  ///< ticks from look to look
+    std::shared_ptr<const BranchPoint> branch = {};  ///< where it parted from the other variants, if it does
 };
 
 /// A scenario ready to run.

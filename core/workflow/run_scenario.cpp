@@ -57,13 +57,34 @@ private:
     std::optional<Error> lost_;
 };
 
-/// nullopt: it ends with its time.
-Expected<std::optional<Condition>> endOfTrial(const OpenedTrial& trial, const Scenario& scenario) {
-    if (trial.until.empty()) return std::optional<Condition>();
-    auto compiled = compileCondition(trial.until.text, scenario, "", nullptr, &trial.drawn);
-    if (!compiled) return tl::unexpected(trial.until.placed(compiled.error(), trial.file));
-    return std::optional<Condition>(std::move(*compiled));
-}
+/// A trial of an experiment under way, measured as for a row of its results.
+class TrialUnderWay {
+public:
+    TrialUnderWay(const OpenedTrial& trial, const Scenario& scenario)
+        : trial_(trial), scenario_(scenario), expressions_(*trial.experiment) {}
+
+    /// How it is to be run; this must outlive the run.
+    Expected<RunOptions> begin(const WorldState& initial) {
+        const BranchPoint* const branch = trial_.branch.get();
+        const std::vector<RobotInsight> none(initial.robots.size());
+        const Moment asked{.scenario = branch != nullptr ? branch->scenario.get() : &scenario_,
+                           .state = branch != nullptr ? &branch->before.state : &initial,
+                           .insights = none,
+                           .drawn = &trial_.drawn};
+        const auto compiled = expressions_.of(asked);
+        if (!compiled) return tl::unexpected(compiled.error());
+        measurement_.emplace(measurementOf(*trial_.experiment, **compiled, scenario_));
+        if (const auto begun = measurement_->begin(asked); !begun) return tl::unexpected(begun.error());
+        return measuring(*measurement_, **compiled, *trial_.experiment, scenario_, trial_.drawn);
+    }
+    std::vector<MeasuredValue> values() const { return measuredValues(*trial_.experiment, *measurement_); }
+
+private:
+    const OpenedTrial& trial_;
+    const Scenario& scenario_;
+    TrialExpressions expressions_;
+    std::optional<TrialMeasurement> measurement_;
+};
 
 }  // namespace
 
@@ -81,23 +102,19 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     const Scenario& scenario = *opened->scenario;
     auto until = openCondition(request.until, scenario);
     if (!until) return tl::unexpected(until.error());
+    const WorldState initial = scenario.initialState(request.seed.value_or(scenario.parts().seed));
     RunOptions options;
+    std::optional<TrialUnderWay> trial;
+    if (opened->trial) {
+        auto measuring = trial.emplace(*opened->trial, scenario).begin(initial);
+        if (!measuring) return tl::unexpected(measuring.error());
+        options = std::move(*measuring);
+    }
     options.duration = request.duration ? fromSeconds(*request.duration) : scenario.parts().duration;
     options.until = *until ? &**until : nullptr;
-    options.endOnFault = request.endOnFault || opened->trial;
+    options.endOnFault = request.endOnFault || trial;
     options.checkRewind = request.checkRewind;
     options.traceUnread = !request.recording.empty();
-    std::optional<Condition> over;
-    if (opened->trial) {
-        auto compiled = endOfTrial(*opened->trial, scenario);
-        if (!compiled) return tl::unexpected(compiled.error());
-        over = std::move(*compiled);
-        options.drawn = &opened->trial->drawn;
-        options.every = opened->trial->every;
-        options.watchFollows = readsInsights(opened->trial->until.text, scenario);
-    }
-    if (over) options.watch = [&](const Moment& at) { return over->holds(at); };
-    const WorldState initial = scenario.initialState(request.seed.value_or(scenario.parts().seed));
     std::optional<RecordingWriter> writer;
     if (!request.recording.empty()) {
         auto begun = recordingOf(request, *opened, initial);
@@ -117,7 +134,8 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     auto lost = recording.close(result ? &result->state : nullptr);
     if (!result) return tl::unexpected(result.error());
     const bool recorded = !request.recording.empty() && !lost;
-    return ScenarioRun{std::move(*opened), std::move(*result), recorded, std::move(lost)};
+    auto measured = trial ? trial->values() : std::vector<MeasuredValue>();
+    return ScenarioRun{std::move(*opened), std::move(*result), std::move(measured), recorded, std::move(lost)};
 }
 
 std::vector<std::string> hiddenText(const Scenario& scenario, const RunResult& result) {

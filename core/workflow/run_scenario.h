@@ -3,8 +3,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiment/run.h"
+#include "experiment/trial_run.h"
 #include "workflow/open_scenario.h"
 
 namespace mrose {
@@ -34,12 +36,14 @@ struct RunWatch {
 struct ScenarioRun {
     OpenedScenario opened;
     RunResult result;
-    bool recorded = false;      ///< the recording is there and whole
-    std::optional<Error> lost;  ///< why it is not
+    std::vector<MeasuredValue> measured;  ///< of a trial of an experiment, as in its row
+    bool recorded = false;                ///< the recording is there and whole
+    std::optional<Error> lost;            ///< why it is not
     const Scenario& scenario() const { return *opened.scenario; }
 };
 
-/// Error: as of openScenario(); the condition; the recording cannot be begun, or is one of the files that are read.
+/// Error: as of openScenario(); the condition; an expression of a trial's experiment; the recording cannot be begun, or
+/// is one of the files that are read.
 Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& watch = {});
 
 /// Error: `text` is no condition that can be asked of the scenario; none is one. Its source is the flag --until.

@@ -3,12 +3,14 @@
 
 #include <gmock/gmock.h>
 
+#include "io/format.h"
 #include "support/game_folder.h"
 #include "support/places.h"
 #include "workflow/expect_error.h"
 #include "workflow/read_trials.h"
 #include "workflow/replay_recording.h"
 #include "workflow/run_batch.h"
+#include "workflow/run_experiment.h"
 #include "workflow/run_scenario.h"
 #include "world/state_hash.h"
 
@@ -212,6 +214,57 @@ TEST_F(Running, RowsOfABatchSayHowTheirRunsAreOpened) {
     expectError(readTrials(write("cut.csv", header + "1,3\n")), path("cut.csv"), {"cut.csv:2: ", "no row of a batch"});
     expectError(readTrials(write("none.csv", header)), path("none.csv"), {"holds no runs"});
     expectError(readTrials(write("other.csv", "a,b\n1,2\n")), path("other.csv"), {"other.csv:1: ", "mrose batch"});
+}
+
+/// One that branches, and one that does not.
+TEST_F(Running, TrialOfAnExperimentIsMeasuredAsInItsRow) {
+    const std::string both = "format = \"mrose experiment\"\nversion = 1\nname = \"way\"\nscenario = \"" + game() +
+                             R"("
+trials = 2
+seeds = 2
+duration_s = 2.0
+until = 'robot[1].x - draw.x > 0.4'
+[[draw]]
+name = "x"
+path = "robot[1].start.x_m"
+from = -1.0
+to = -0.5
+[[variant]]
+name = "as it is"
+[[variant]]
+name = "it stands"
+set = { "robot[1].controller" = { kind = "wander", speed_mps = 0.0, rotation_degps = 0.0 } }
+[features]
+at = 'robot[1].x'
+aim = 'robot[1].controller["aim x"]'
+[measures]
+gone = 'robot[1].x - draw.x'
+fastest = { most = 'robot[1].speed' }
+)";
+    for (const std::string branches : {"", "branch = 'robot[1].x - draw.x > 0.1'\n"}) {
+        std::string text = both;
+        text.insert(text.find("[[draw]]"), branches);
+        const std::string folder = path(branches.empty() ? "whole" : "branched");
+        const std::string file = write(branches.empty() ? "whole.toml" : "branched.toml", text);
+        const auto done = runExperiment({file, folder});
+        ASSERT_TRUE(done) << done.error().message();
+        const auto rows = csvRows(read(std::filesystem::path(folder).filename().string() + "/results.csv"));
+        ASSERT_EQ(rows.size(), 8u);
+        for (const auto& row : rows) {
+            RunRequest one{{file}};
+            one.scenario.trial = static_cast<std::uint32_t>(std::stoul(row.at("trial")));
+            one.scenario.variant = row.at("variant_name");
+            one.seed = std::stoull(row.at("seed"));
+            const auto run = runScenario(one);
+            ASSERT_TRUE(run) << run.error().message();
+            ASSERT_EQ(run->measured.size(), 4u);
+            for (const auto& [name, value] : run->measured) EXPECT_EQ(numberText(value), row.at(name)) << name;
+            EXPECT_EQ(name(run->result.end), row.at("end"));
+        }
+    }
+    const auto game = runScenario(request());
+    ASSERT_TRUE(game);
+    EXPECT_TRUE(game->measured.empty());
 }
 
 TEST_F(Running, BatchOfSeveralSeedsAndAWrongCondition) {
