@@ -129,13 +129,16 @@ std::string statisticsText(const Scenario& scenario, const RunStatistics& statis
         table.add({bodyName(scene, i), line});
     }
     text += table.text();
-    for (std::size_t i = 0; i < statistics.unfamiliar.size(); ++i) {
-        const double share = statistics.shareOf(statistics.unfamiliar[i].value_or(0));
-        if (share < RunStatistics::notableShare) continue;
-        std::snprintf(line, sizeof line, ": in %.0f %% of the run driven as its network has not learned\n",
-                      100 * share);
-        text += "Note: " + bodyName(scene, i) + line;
-    }
+    const auto note = [&](const std::vector<std::optional<std::int64_t>>& ticks, const char* what) {
+        for (std::size_t i = 0; i < ticks.size(); ++i) {
+            const double share = statistics.shareOf(ticks[i].value_or(0));
+            if (share < RunStatistics::notableShare) continue;
+            std::snprintf(line, sizeof line, ": in %.0f %% of the run ", 100 * share);
+            text += "Note: " + bodyName(scene, i) + line + what + '\n';
+        }
+    };
+    note(statistics.unfamiliar, "driven as its network has not learned");
+    note(statistics.beyond, "its controller asked beyond what was learned");
     if (statistics.faults > 0) {
         std::snprintf(line, sizeof line, "faults: %lld, the first of ", static_cast<long long>(statistics.faults));
         text += line + statistics.firstFault + '\n';

@@ -71,7 +71,7 @@ void MethodChoice::explain(const Options& options, MemoryEntries& entries) const
     entries.add("chosen", static_cast<double>(chosen));
     entries.add("robots", known(robots));
     entries.add("objects", known(objects));
-    if (options.time) entries.add("beyond", known(beyond));
+    if (options.time) entries.add(beyondLearned, known(beyond));
     for (std::size_t k = 0; k < options.methods.size(); ++k) {
         const std::string number = '_' + std::to_string(k + 1);
         const EntryName method("method", number);

@@ -285,8 +285,7 @@ void TeamPlayer::explain(std::span<const std::byte> bytes, MemoryEntries& entrie
     }
     const std::array<double, WayToBall::count> numbers = memory.way.numbers();
     for (std::size_t i = 0; i < numbers.size(); ++i) entries.add(wayToBallNames.begin()[i], numbers[i]);
-    if (options_.time && entries.wants("beyond what was learned"))
-        entries.add("beyond what was learned", options_.time->beyond(numbers));
+    if (options_.time && entries.wants(beyondLearned)) entries.add(beyondLearned, options_.time->beyond(numbers));
     chase_.explain(memory.chase, entries);
 }
 

@@ -33,7 +33,10 @@ public:
                    (options.until != nullptr && readsInsights(options.until->text(), scenario))),
           first_(state.tick),
           insights_(follows_ ? state.robots.size() : 0),
-          result_{RunEnd::duration, state, RunStatistics(scenario, state, options.countsUnfamiliar), {}} {
+          result_{RunEnd::duration,
+                  state,
+                  RunStatistics(scenario, state, options.countsUnfamiliar, options.countsBeyond),
+                  {}} {
         trace_.asksUnread = follows_ || options.traceUnread;
         trace_.asksInsights = follows_ || options.each || options.checkRewind;
     }

@@ -29,6 +29,7 @@ struct RunOptions {
     bool checkRewind = false;      ///< takes every tick twice; the run ends where that makes a difference
     bool traceUnread = false;      ///< StepTrace::asksUnread; for a condition that reads sensors so it is without
     bool countsUnfamiliar = true;  ///< RunStatistics::unfamiliar, which costs some 7 % of a run
+    bool countsBeyond = false;     ///< RunStatistics::beyond, up to 5 %
     /// Asked after every tick; false stops the run. May be empty.
     std::function<bool(const WorldState&)> goesOn = {};
     /// The same with the tick's trace, which then holds what StepTrace::asksInsights asks for.

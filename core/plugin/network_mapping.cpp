@@ -4,6 +4,15 @@
 
 namespace mrose {
 
+MappingVariable NetworkMapping::input(std::size_t index) const {
+    MappingVariable variable = of(network_.learned.inputs[index]);
+    if (!network_.seen.empty()) {
+        variable.least = network_.seen[index].least;
+        variable.most = network_.seen[index].most;
+    }
+    return variable;
+}
+
 void NetworkMapping::check(std::size_t from, std::size_t to) const {
     if (from == inputs() && to == outputs()) return;
     throw std::invalid_argument("a mapping of " + std::to_string(inputs()) + " numbers to " +

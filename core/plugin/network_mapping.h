@@ -14,7 +14,7 @@ public:
 
     std::size_t inputs() const override { return inference_.inputs(); }
     std::size_t outputs() const override { return inference_.outputs(); }
-    MappingVariable input(std::size_t index) const override { return of(network_.learned.inputs[index]); }
+    MappingVariable input(std::size_t index) const override;
     MappingVariable output(std::size_t index) const override { return of(network_.learned.outputs[index]); }
     void evaluate(std::span<const double> from, std::span<double> to) const override;
     double beyond(std::span<const double> from) const override;

@@ -29,8 +29,9 @@ public:
     /// The learned mapping that the scenario's table `mappings` names by `key`; nullptr: it names none. It lives as
     /// long as the controller does.
     virtual const LearnedMapping* mapping(const char* key) = 0;
-    /// The same, which must read and give what is named here, in this order; otherwise the plug-in is refused.
-    const LearnedMapping* mapping(const char* key, std::initializer_list<const char*> inputs,
+    /// The same, which must read and give what is named here, in this order, and be learned where it will be asked:
+    /// mapping("time", {{"distance", 0, 3}, "bearing"}, {"time_s"}); otherwise the plug-in is refused.
+    const LearnedMapping* mapping(const char* key, std::initializer_list<AskedInput> inputs,
                                   std::initializer_list<const char*> outputs);
     /// The landmark that SeenBody::index means in a reading NAME.landmarks; nullptr: there are not so many. It lives as
     /// long as the controller does.
@@ -42,11 +43,12 @@ protected:
     ~PluginOptions() = default;
 };
 
-inline const LearnedMapping* PluginOptions::mapping(const char* key, std::initializer_list<const char*> inputs,
+inline const LearnedMapping* PluginOptions::mapping(const char* key, std::initializer_list<AskedInput> inputs,
                                                     std::initializer_list<const char*> outputs) {
     const LearnedMapping* const found = mapping(key);
     if (found == nullptr) return nullptr;
-    const std::string cause = mismatch(*found, inputs, outputs);
+    std::string cause = mismatch(*found, inputs, outputs);
+    if (cause.empty()) cause = learnedTooNarrowly(*found, inputs);
     if (cause.empty()) return found;
     reject(key, cause.c_str());
     return nullptr;
@@ -54,7 +56,7 @@ inline const LearnedMapping* PluginOptions::mapping(const char* key, std::initia
 
 /// Grows with every change of what plug-ins and programs share: these declarations, control/controller.h and what it
 /// includes.
-constexpr std::uint32_t pluginInterface = 9;
+constexpr std::uint32_t pluginInterface = 10;
 
 /// Sizes of what goes from the one to the other.
 struct PluginLayout {

@@ -205,6 +205,9 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
     for (std::size_t i = 0; i < statistics.unfamiliar.size(); ++i)
         if (const auto& ticks = statistics.unfamiliar[i])
             json["unfamiliar"][scenario.scene().robots[i].name] = statistics.shareOf(*ticks);
+    for (std::size_t i = 0; i < statistics.beyond.size(); ++i)
+        if (const auto& ticks = statistics.beyond[i])
+            json["beyond_learned"][scenario.scene().robots[i].name] = statistics.shareOf(*ticks);
     json["scenario"] = scenario.parts().name;
     json["trial"] = names.trial;
     json["seed"] = result.state.seed;

@@ -27,10 +27,14 @@ struct RunStatistics {
     /// nullopt of one whose motion model cannot say so, and where it is not counted.
     std::vector<std::optional<std::int64_t>> unfamiliar;  ///< ticks
     std::int64_t anyUnfamiliar = 0;                       ///< ticks in which that was so of some robot
+    /// How long what each robot's controller last asked lay beyond what was learned (`beyondLearned`); nullopt of one
+    /// that does not say so, and where it is not counted.
+    std::vector<std::optional<std::int64_t>> beyond;  ///< ticks
     Nanoseconds ballStill = 0;  ///< how long the first ball lay still: of ticks at whose end it did
 
     /// Of a run that begins at `start`.
-    RunStatistics(const Scenario& scenario, const WorldState& start, bool countsUnfamiliar = true);
+    RunStatistics(const Scenario& scenario, const WorldState& start, bool countsUnfamiliar = true,
+                  bool countsBeyond = false);
     /// One tick: the state after it, and its trace.
     void add(const WorldState& after, const StepTrace& trace);
 
@@ -41,12 +45,13 @@ struct RunStatistics {
 
 private:
     void addUnfamiliar(const WorldState& after, const StepTrace& trace);
+    void addBeyond(const WorldState& after, const StepTrace& trace);
 
     const Scenario* scenario_;
     TouchCounter touchCounter_;
-    std::vector<Point> places_;       ///< of the robots, before the next tick
-    std::vector<bool> isUnfamiliar_;  ///< what each robot last decided
-    std::size_t ball_ = 0;            ///< among the objects; behind the last: there is none
+    std::vector<Point> places_;                  ///< of the robots, before the next tick
+    std::vector<bool> isUnfamiliar_, isBeyond_;  ///< what each robot last decided
+    std::size_t ball_ = 0;                       ///< among the objects; behind the last: there is none
 };
 
 /// "robot 2 (keeper)": counted from 1, people after the robots under a word of their own.

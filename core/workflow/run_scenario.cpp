@@ -114,6 +114,7 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     options.until = *until ? &**until : nullptr;
     options.endOnFault = request.endOnFault || trial;
     options.checkRewind = request.checkRewind;
+    options.countsBeyond = true;
     options.traceUnread = !request.recording.empty();
     std::optional<RecordingWriter> writer;
     if (!request.recording.empty()) {

@@ -124,7 +124,7 @@ TEST(MethodChoice, WhatWasNotConsideredIsNotKnown) {
     const WorldState state = scenario.initialState();
     const auto entries = entriesOf(scenario, state, 0);
     EXPECT_TRUE(std::isnan(valueOf(entries, "rests_1")));
-    EXPECT_TRUE(std::isnan(valueOf(entries, "beyond")));
+    EXPECT_TRUE(std::isnan(valueOf(entries, beyondLearned)));
 }
 
 TEST(MethodChoice, InputsAreOfTheTeamOrOfAMethod) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plugin/plugin.h"
 #include "plugin/test_plugins.h"
 #include "support/observation_parts.h"
 #include "support/temporary_folder.h"
@@ -93,8 +94,8 @@ TEST(PluginLoading, NameAloneIsNoSystemLibrary) { EXPECT_EQ(refusal("libm.so.6")
 
 TEST(PluginLoading, WhatWasBuiltOtherwiseIsSaid) {
     EXPECT_EQ(refusal(testPlugin("other_interface")),
-              testPlugin("other_interface") +
-                  ": was built for plug-in interface 0 and not 9; build it with the headers of this program");
+              testPlugin("other_interface") + ": was built for plug-in interface 0 and not " +
+                  std::to_string(pluginInterface) + "; build it with the headers of this program");
     EXPECT_EQ(
         refusal(testPlugin("other_library")),
         testPlugin("other_library") + ": was built with libstdc++ with debugging containers and not with libstdc++");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "control/learned_mapping.h"
 #include "simulation/small_world.h"
 
 namespace mrose {
@@ -36,6 +37,42 @@ RunStatistics statisticsOf(const Scenario& scenario, int ticks, WorldState* last
     }
     if (last != nullptr) *last = state;
     return statistics;
+}
+
+/// Says that it asks something learned beyond what it was learned of, for a second from 0.3 s on.
+class AsksBeyond final : public Controller {
+public:
+    std::size_t memorySize() const override { return sizeof(double); }
+    void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
+        const double time = toSeconds(observation.time);
+        as<double>(memory) = time >= 0.3 && time < 1.3 ? 0.2 : 0;
+        decision.command = Command{};
+    }
+    void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
+        entries.add("something else", 1);
+        entries.add(beyondLearned, as<double>(memory));
+    }
+};
+
+TEST(RunStatistics, TellsForHowLongSomethingLearnedWasAskedBeyondWhatItKnows) {
+    const Scenario scenario = SmallWorld()
+                                  .robot(discRobot(), {}, std::make_shared<const AsksBeyond>(), ideal())
+                                  .robot(discRobot(), {5, 5, 1}, std::make_shared<const Told>(Command{}), ideal())
+                                  .scenario();
+    WorldState state = scenario.initialState();
+    RunStatistics statistics(scenario, state, true, true), uncounted(scenario, state);
+    StepBuffers buffers;
+    StepTrace trace;
+    for (int i = 0; i < 100; ++i) {
+        step(scenario, state, buffers, {}, &trace);
+        statistics.add(state, trace);
+        uncounted.add(state, trace);
+    }
+    ASSERT_EQ(statistics.beyond.size(), 2u);
+    ASSERT_TRUE(statistics.beyond[0]);
+    EXPECT_NEAR(statistics.shareOf(*statistics.beyond[0]), 0.5, 0.05) << "by whole control periods";
+    EXPECT_EQ(statistics.beyond[1], std::nullopt);
+    EXPECT_EQ(uncounted.beyond[0], std::nullopt);
 }
 
 TEST(RunStatistics, WaysAddUpToAndFro) {

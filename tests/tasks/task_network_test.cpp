@@ -117,5 +117,18 @@ TEST(TaskNetworkTest, PluginAsksForItByNames) {
     EXPECT_EQ(options.rejected, "time: maps a b -> t; expected b a -> t");
 }
 
+TEST(TaskNetworkTest, PluginSaysWhereItWillAskForIt) {
+    const TaskNetwork::Range a = small().seen[0], b = small().seen[1];
+    OneMapping options;
+    EXPECT_NE(options.mapping("time", {{"a", a.least, a.most}, "b"}, {"t"}), nullptr);
+    EXPECT_NE(options.mapping("time", {"a", {"b", b.least - 0.04 * (b.most - b.least), b.most}}, {"t"}), nullptr);
+    EXPECT_EQ(options.rejected, "");
+    EXPECT_EQ(options.mapping("time", {"a", {"b", b.least - 0.06 * (b.most - b.least), b.most}}, {"t"}), nullptr);
+    EXPECT_THAT(options.rejected, testing::StartsWith("time: was learned at b from "));
+    options.rejected.clear();
+    EXPECT_EQ(options.mapping("time", {{"a", a.least, a.most + 1e6}, "b"}, {"t"}), nullptr);
+    EXPECT_THAT(options.rejected, testing::HasSubstr("to 1e+06"));
+}
+
 }  // namespace
 }  // namespace mrose

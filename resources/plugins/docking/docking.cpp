@@ -43,6 +43,7 @@ public:
         std::int64_t state, station;
         double lasts, stuck;  // s: in this state; without moving though it should
         double v;             // m/s, as commanded last
+        double beyond;        // what was learned: how far it asked, a share
     };
     std::size_t memorySize() const override { return sizeof(Memory); }
     mrose::Attention attention() const override { return mrose::Attention::ofItself(); }
@@ -55,6 +56,7 @@ public:
         entries.add("station", static_cast<double>(memory.station + 1));
         entries.add("self x", memory.self.x, "m");
         entries.add("self y", memory.self.y, "m");
+        if (times_ != nullptr) entries.add(mrose::beyondLearned, memory.beyond);
     }
 
     void decide(const mrose::Observation& observation, std::span<std::byte> bytes,
@@ -64,7 +66,7 @@ public:
         if (!observation.localised()) return;
         localise(observation, memory);
         if (memory.state == unknown) {
-            memory.station = chosen(memory.self);
+            memory.station = chosen(memory);
             enter(memory, approaching);
         }
         memory.lasts += period;
@@ -93,7 +95,8 @@ private:
         memory.self.heading += trust_ * mrose::wrapAngle(seen.heading - memory.self.heading);
     }
 
-    int chosen(const Pose& self) const {
+    int chosen(Memory& memory) const {
+        const Pose& self = memory.self;
         if (station_ > 0) return station_ - 1;
         std::array<double, 6> asked{};
         for (std::size_t i = 0; i < 2; ++i) {
@@ -105,6 +108,7 @@ private:
         if (times_ == nullptr) return asked[0] <= asked[3] ? 0 : 1;  // the nearer one
         std::array<double, 2> seconds{};
         times_->evaluate(asked, seconds);
+        memory.beyond = times_->beyond(asked);
         return seconds[0] <= seconds[1] ? 0 : 1;
     }
 
