@@ -172,7 +172,7 @@ void print(const ScenarioRun& run, const RunRequest& request, double wall) {
     if (wall > 0) std::printf(" (%s x real time)", factorText(taken / wall).c_str());
     std::printf("\n%s", statisticsText(scenario, result.statistics).c_str());
     if (!run.measured.empty()) {
-        TextTable table({"", ""});
+        TextTable table({"", "measured"});
         for (const auto& [name, value] : run.measured) table.add({name, measuredText(value)});
         std::printf("%s", table.text().c_str());
     }

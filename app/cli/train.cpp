@@ -225,8 +225,9 @@ public:
             shownTenth_ = tenth;
             char text[200];
             std::snprintf(text, sizeof text,
-                          "network %d of %d, epoch %d: loss %.3e, held out P %.2f %% Hd %.2f %%, at most %s left",
-                          p.member + 1, p.members, p.epoch, p.loss, p.heldOut.position, p.heldOut.heading,
+                          "network %d of %d%s, epoch %d: loss %.3e, held out P %.2f %% Hd %.2f %%, at most %s left",
+                          p.member + 1, p.members, p.ofNoise ? " (for the noise)" : "", p.epoch, p.loss,
+                          p.heldOut.position, p.heldOut.heading,
                           durationText(spent.count() / done * (p.members - done)).c_str());
             line_.show(text);
         }

@@ -139,6 +139,7 @@ LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, c
     for (int part = 0; part < noiseParts; ++part) {
         const auto shifted = [&](NetworkProgress p) {
             p.member += part * options.members;
+            p.ofNoise = true;
             return !learns || learns(p);
         };
         auto judged = learnWithout(part, logs, blueprint, sampling, options, shifted);

@@ -30,7 +30,8 @@ struct NetworkProgress {
     int member = 0, members = 1;  ///< 0 is the first
     int epoch = 0, epochs = 0;
     double loss = 0;
-    OpenLoopError heldOut;  ///< best so far, of this member
+    OpenLoopError heldOut = {};  ///< best so far, of this member
+    bool ofNoise = false;        ///< of a network that only its noise is learned from (learn_noise.h)
 };
 
 /// Called about every evaluateEvery epochs; false ends learning with the best network so far.
