@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <thread>
 
@@ -146,11 +147,8 @@ std::string statisticsText(const Scenario& scenario, const RunStatistics& statis
     return text;
 }
 
-std::string measuredText(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
+/// As in the rows of an experiment: NaN without a sign.
+std::string measuredText(double value) { return std::isnan(value) ? "nan" : plainNumberText(value); }
 
 /// 0: of none.
 std::uint32_t trialOf(const ScenarioRun& run, const RunRequest& request) {

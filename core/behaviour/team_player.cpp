@@ -285,7 +285,8 @@ void TeamPlayer::explain(std::span<const std::byte> bytes, MemoryEntries& entrie
     }
     const std::array<double, WayToBall::count> numbers = memory.way.numbers();
     for (std::size_t i = 0; i < numbers.size(); ++i) entries.add(wayToBallNames.begin()[i], numbers[i]);
-    if (options_.time && entries.wants(beyondLearned)) entries.add(beyondLearned, options_.time->beyond(numbers));
+    if (options_.choose == Choose::time && entries.wants(beyondLearned))
+        entries.add(beyondLearned, memory.chase.ball.known != 0 ? options_.time->beyond(numbers) : 0);
     chase_.explain(memory.chase, entries);
 }
 

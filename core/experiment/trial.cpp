@@ -249,20 +249,23 @@ Expected<void> TrialMaker::check() {
             }
         sets = std::move(more);
     }
-    for (const DrawnValues& drawn : sets) {
-        auto value = drawnScenario(experiment_.firstTrial, drawn);
-        if (!value) return tl::unexpected(value.error());
-        *value = withoutBodies(std::move(*value), drawn);
-        auto loaded = loadScenario(*value, library_, loading_);
-        if (!loaded) return tl::unexpected(told(loaded.error(), drawn, nullptr, who(experiment_.firstTrial)));
-        const Scenario scenario(std::move(loaded->parts));
-        const WorldState start = scenario.initialState();
-        const std::vector<RobotInsight> none(start.robots.size());
-        const Moment moment{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
-        if (const auto compiled = expressions_.of(moment); !compiled) return tl::unexpected(compiled.error());
-        if (auto there = expressions_.checkEntries(moment); !there) return there;
-    }
+    for (const DrawnValues& drawn : sets)
+        if (auto fits = checkExpressions(experiment_.firstTrial, drawn); !fits) return fits;
     return {};
+}
+
+Expected<void> TrialMaker::checkExpressions(std::uint32_t number, const DrawnValues& drawn) {
+    auto value = drawnScenario(number, drawn);
+    if (!value) return tl::unexpected(value.error());
+    *value = withoutBodies(std::move(*value), drawn);
+    auto loaded = loadScenario(*value, library_, loading_);
+    if (!loaded) return tl::unexpected(told(loaded.error(), drawn, nullptr, who(number)));
+    const Scenario scenario(std::move(loaded->parts));
+    const WorldState start = scenario.initialState();
+    const std::vector<RobotInsight> none(start.robots.size());
+    const Moment moment{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
+    if (const auto compiled = expressions_.of(moment); !compiled) return tl::unexpected(compiled.error());
+    return expressions_.checkEntries(moment);
 }
 
 }  // namespace mrose

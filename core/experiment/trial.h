@@ -36,6 +36,9 @@ public:
     /// there, as far as the start tells. Error: file, line and column of the first thing wrong.
     Expected<void> check();
 
+    /// That expressions fit the scenario of these draws, without a variant. Error: likewise.
+    Expected<void> checkExpressions(std::uint32_t number, const DrawnValues& drawn);
+
 private:
     Error told(Error error, const DrawnValues& drawn, const Variant* variant, const std::string& where);
     Expected<DrawnValues> drawnWith(DrawnValues drawn, std::size_t i, const Value& value);

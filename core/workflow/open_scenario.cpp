@@ -179,8 +179,10 @@ Expected<LoadedScenario> loadTrial(const ScenarioRequest& request, const PluginL
     }
     TrialExpressions expressions(experiment);
     const std::uint32_t number = request.trial > 0 ? request.trial : experiment.firstTrial;
-    auto trial = TrialMaker(experiment, expressions, {plugins}).make(number);
+    TrialMaker maker(experiment, expressions, {plugins});
+    auto trial = maker.make(number);
     if (!trial) return tl::unexpected(trial.error());
+    if (const auto fit = maker.checkExpressions(number, trial->drawn); !fit) return tl::unexpected(fit.error());
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
     if (trial->before) {
         if (request.plugins.loaded) request.plugins.loaded(trial->before->parts);

@@ -36,7 +36,7 @@ struct RunWatch {
 struct ScenarioRun {
     OpenedScenario opened;
     RunResult result;
-    std::vector<MeasuredValue> measured;  ///< of a trial of an experiment, as in its row
+    std::vector<MeasuredValue> measured;  ///< of a trial of an experiment, as in its row if it ran to its end
     bool recorded = false;                ///< the recording is there and whole
     std::optional<Error> lost;            ///< why it is not
     const Scenario& scenario() const { return *opened.scenario; }

@@ -265,6 +265,10 @@ fastest = { most = 'robot[1].speed' }
     const auto game = runScenario(request());
     ASSERT_TRUE(game);
     EXPECT_TRUE(game->measured.empty());
+    std::string misspelt = both;
+    misspelt.replace(misspelt.find("controller[\"aim x\"]"), 19, "controller.aims_x");
+    expectError(runScenario({{write("misspelt.toml", misspelt)}}), path("misspelt.toml"),
+                {"features.aim: there is no 'aims_x' in 'controller'"});
 }
 
 TEST_F(Running, BatchOfSeveralSeedsAndAWrongCondition) {
