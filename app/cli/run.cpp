@@ -196,8 +196,8 @@ int runRun(const RunRequest& request, double speed, const CommonFlags& common) {
     const RunResult& result = run->result;
     if (common.json)
         std::puts(runJson(run->scenario(), result,
-                          {trialOf(*run, request), request.checkRewind, run->recorded ? request.recording : "",
-                           run->measured})
+                          {trialOf(*run, request), run->opened.trial ? run->opened.trial->variant : "",
+                           request.checkRewind, run->recorded ? request.recording : "", run->measured})
                       .c_str());
     else
         print(*run, request, common.quiet ? 0 : conductor.wallSeconds());

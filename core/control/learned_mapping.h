@@ -13,11 +13,12 @@ namespace mrose {
 struct MappingVariable {
     const char* name = "";
     const char* unit = "";  ///< "m/s"; "1" of what has none
-    /// Of an input: between which values it was learned; infinite where that is not known.
+    /// Of an input: between which values it was learned, in its unit; infinite where that is not known.
     double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
 };
 
-/// An input that a controller asks for by its name, and between which values it will ask, where it says so.
+/// An input that a controller asks for by its name, and between which values it will ask, in the mapping's unit, where
+/// it says so.
 struct AskedInput {
     AskedInput(const char* its) : name(its) {}
     AskedInput(const char* its, double from, double to) : name(its), least(from), most(to), bounded(true) {}
@@ -60,11 +61,12 @@ std::string mismatch(const LearnedMapping& mapping, std::initializer_list<Input>
     return theirs == ours ? "" : "maps " + theirs + "; expected " + ours;
 }
 
-/// A network may be asked so far outside of what it was learned at, as a share of that range: trials hardly ever reach
+/// So far outside of where it was learned a mapping may be asked, as a share of that range: trials hardly ever reach
 /// the ends of what they are drawn from.
 inline constexpr double hardlyBeyond = 0.05;
 
-/// "" where the mapping, which reads these inputs in this order, was learned wherever it is to be asked.
+/// "" where the mapping, which reads these inputs in this order, was learned wherever it is to be asked, or does not
+/// say where; otherwise where it was and what was expected.
 inline std::string learnedTooNarrowly(const LearnedMapping& mapping, std::initializer_list<AskedInput> asked) {
     std::size_t index = 0;
     for (const AskedInput& input : asked) {

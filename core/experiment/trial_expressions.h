@@ -25,8 +25,8 @@ public:
 
     /// `start`: of a trial, with what was drawn for it. Error: file, line and column of the first thing wrong.
     Expected<CompiledExpressions*> of(const Moment& start);
-    /// That what they ask of controllers' and motion models' memories is there: otherwise it is NaN, as it is in
-    /// variants with other ones. Error: likewise.
+    /// That what they ask of controllers' and motion models' memories is there: otherwise it is NaN. For the scenario
+    /// without a variant: in variants with other controllers it may be missing. Error: likewise.
     Expected<void> checkEntries(const Moment& start) const;
 
 private:

@@ -43,6 +43,7 @@ private:
 /// How often a run of a trial is looked at, in its ticks.
 std::int64_t ticksBetweenLooks(const Experiment& experiment, const Scene& scene);
 
+/// Of a run of this scenario, which has not begun. The experiment and the expressions must outlive it.
 TrialMeasurement measurementOf(const Experiment& experiment, CompiledExpressions& compiled, const Scenario& scenario);
 
 /// How a run of a trial goes on from where `measurement` began: until it is over or a controller fails, measured. What

@@ -34,7 +34,7 @@ public:
         /// recovers. Of a network of form state whose drive ramps, which recovers by itself: what the drive follows
         /// (InputReader::Followed).
         Velocity unperturbed;
-        std::uint32_t begun = 0;       ///< 0 before the first period: the other is told from the commands
+        std::uint32_t begun = 0;       ///< 0 before the first period: `unperturbed` is told from the commands
         std::uint32_t followedAt = 0;  ///< when the drive follows that: the lower bits of microseconds
         /// Of the tracked point, besides what the network knows: MotionModel::adapt.
         float ahead = 0, rotated = 0;

@@ -29,8 +29,9 @@ public:
     /// The learned mapping that the scenario's table `mappings` names by `key`; nullptr: it names none. It lives as
     /// long as the controller does.
     virtual const LearnedMapping* mapping(const char* key) = 0;
-    /// The same, which must read and give what is named here, in this order, and be learned where it will be asked:
-    /// mapping("time", {{"distance", 0, 3}, "bearing"}, {"time_s"}); otherwise the plug-in is refused.
+    /// The same, which must read and give what is named here, in this order, and be learned where it will be asked, but
+    /// for a twentieth of that range (hardlyBeyond): mapping("time", {{"distance", 0, 3}, "bearing"}, {"time_s"});
+    /// otherwise the plug-in is refused.
     const LearnedMapping* mapping(const char* key, std::initializer_list<AskedInput> inputs,
                                   std::initializer_list<const char*> outputs);
     /// The landmark that SeenBody::index means in a reading NAME.landmarks; nullptr: there are not so many. It lives as

@@ -210,6 +210,7 @@ std::string runJson(const Scenario& scenario, const RunResult& result, const Run
             json["beyond_learned"][scenario.scene().robots[i].name] = statistics.shareOf(*ticks);
     json["scenario"] = scenario.parts().name;
     json["trial"] = names.trial;
+    if (!names.variant.empty()) json["variant"] = names.variant;
     json["seed"] = result.state.seed;
     json["end"] = name(result.end);
     // divided, as in the rows of a batch: toSeconds() multiplies, and 60 s would be 60.00000000000001

@@ -30,6 +30,7 @@ std::string sensorTrainingJson(const SensorNetwork& network, const std::vector<s
 /// What is said of a run beside its result.
 struct RunNames {
     std::uint32_t trial = 0;
+    std::string variant = {};  ///< of an experiment; "": it has none
     bool rewindChecked = false;
     std::string recording = {};  ///< "": none that is whole
     std::vector<MeasuredValue> measured = {};

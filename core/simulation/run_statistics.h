@@ -38,7 +38,7 @@ struct RunStatistics {
     /// One tick: the state after it, and its trace.
     void add(const WorldState& after, const StepTrace& trace);
 
-    /// Unfamiliar for more of the run than this is worth a note.
+    /// Unfamiliar or beyond what was learned for more of the run than this is worth a note.
     static constexpr double notableShare = 0.05;
     /// Of the ticks, from 0 to 1; 0 of no ticks.
     double shareOf(std::int64_t some) const { return ticks > 0 ? double(some) / double(ticks) : 0; }

@@ -90,6 +90,20 @@ TEST_F(RunProgram, AnythingOfTheScenarioMayBeOverridden) {
     expectOneLine(play("run", {"--set", "robot[2].network=none.net"}), {"\"none.net\" was not found"});
 }
 
+TEST_F(RunProgram, TrialOfAnExperimentSaysWhatItMeasured) {
+    const std::vector<std::string> words{"run",   "faster_turns.toml", "--trial",
+                                         "10003", "--variant",         "faster in reality"};
+    std::vector<std::string> asJson = words;
+    asJson.insert(asJson.end(), {"--json", "--quiet"});
+    const Json json = told(runMrose(asJson));
+    EXPECT_EQ(json["trial"], 10003);
+    EXPECT_EQ(json["variant"], "faster in reality");
+    const double time = json["measure.time_s"];
+    EXPECT_NEAR(time, json["time_s"].get<double>(), 1e-9) << "it ends where it is measured";
+    const std::string text = runMrose(words).out;
+    EXPECT_NE(text.find("measure.time_s"), std::string::npos) << text;
+}
+
 TEST_F(RunProgram, ConditionEndsIt) {
     EXPECT_THAT(play("run", {"--until", "time > 99", "--duration", "1"}).out,
                 testing::HasSubstr(": 1.00 s, in which the condition was never met"));
