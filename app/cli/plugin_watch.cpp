@@ -1,5 +1,6 @@
 #include "plugin_watch.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -244,8 +245,10 @@ public:
     }
     Attention attention() const override { return watched_->attention(); }
     void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
-        const PluginGuard guard(who_);
+        Activity& activity = activityOfThisThread();
+        activity.begin(&who_, std::max<std::int64_t>(0, activity.tick));  // its last decision's
         watched_->explain(memory, entries);
+        activity.end();
     }
     void decide(const Observation& observation, std::span<std::byte> memory, Decision& decision) const override {
         Activity& activity = activityOfThisThread();

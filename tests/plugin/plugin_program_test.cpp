@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
+#include <sched.h>
 
 #include "io/file.h"
 #include "plugin/test_plugins.h"
@@ -123,6 +123,12 @@ TEST_F(PluginProgram, CrashEndsTheRunAndKeepsTheRecording) {
     }
 }
 
+/// What it is asked for in the course of a run is not taken for its loading.
+TEST_F(PluginProgram, CrashWhenAskedToExplainIsNamed) {
+    EXPECT_EQ(run(how("crash when asked to explain")).err,
+              "mrose: " + who_ + " crashed at tick 0 (segmentation fault); with --isolate only its robot stops\n");
+}
+
 /// What takes its time and returns is not taken for stuck, however often it does.
 TEST_F(PluginProgram, SlowOneIsNoStuckOne) {
     const ProgramResult result = run(how("slow"), {"--plugin-limit", "0.5", "--duration", "2"});
@@ -138,8 +144,9 @@ TEST_F(PluginProgram, SlowOneIsNoStuckOne) {
 TEST_F(PluginProgram, SignalOutsideOfAPluginIsNotItsFault) {
     RunningProgram program(
         {mroseProgram(), "run", scenario("how = \"\""), "--speed", "0.01", "--record", recording(), "--quiet"});
-    // The recording's beginning is written after the plug-ins are loaded, and hardly any time is spent in them.
-    while (!std::filesystem::exists(recording()) || std::filesystem::file_size(recording()) == 0) ::usleep(1000);
+    // The recording's beginning is written after the plug-ins are loaded; between two ticks it sleeps for 2 s.
+    while (!std::filesystem::exists(recording()) || std::filesystem::file_size(recording()) == 0) ::sched_yield();
+    program.waitUntilAsleep();
     program.send(SIGSEGV);
     const ProgramResult result = program.finish();
     EXPECT_EQ(result.status, 128 + SIGSEGV);

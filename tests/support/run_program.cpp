@@ -3,9 +3,11 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -86,6 +88,19 @@ bool RunningProgram::waitForError(const std::string& text) {
     while (result_.err.find(text) == std::string::npos)
         if (!readSome()) return false;
     return true;
+}
+
+void RunningProgram::waitUntilAsleep() const {
+    const std::string file = "/proc/" + std::to_string(child_) + "/stat";
+    for (;;) {
+        std::ifstream status(file);
+        std::string line;
+        std::getline(status, line);
+        const std::size_t name = line.rfind(") ");  // "1234 (mrose) S ..."
+        if (name == std::string::npos || line.size() < name + 3) return;
+        if (line[name + 2] == 'S' || line[name + 2] == 'Z') return;
+        ::sched_yield();
+    }
 }
 
 void RunningProgram::send(int signal) {

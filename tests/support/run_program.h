@@ -31,6 +31,8 @@ public:
 
     /// Waits for this text on standard error; false: the program ended before.
     bool waitForError(const std::string& text);
+    /// Waits until its first thread sleeps, or the program has ended.
+    void waitUntilAsleep() const;
     void send(int signal);
     /// Waits for the end.
     ProgramResult finish();
