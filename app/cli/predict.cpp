@@ -11,6 +11,7 @@ namespace {
 
 int runPredict(PredictRequest request, const CommonFlags& common) {
     request.overwrite = common.overwrite;
+    request.seed = common.seed;
     const auto predicted = predictWindows(request);
     if (!predicted) return report(predicted.error());
     if (common.json) {
@@ -60,8 +61,8 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "later.\n"
         "  mrose predict create.net --log MRCLAM_Dataset7 --windows windows.csv --samples 64 --at 1,2,5,10 -o "
         "bands.csv\n"
-        "Samples are runs of the robot with its learned noise, the k-th that of a run with seed k: the output has a "
-        "column sample, from 0 on, before t.\n"
+        "Samples are independent runs of the robot with its learned noise: before t the output has the columns sample, "
+        "from 0 on, and seed, that of the run.\n"
         "  mrose predict create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --queries queries.csv -o samples.csv\n"
         "The queries file has the columns dataset,robot,t,subject; the output "
         "dataset,robot,t,subject,p_detect,sample,\n"

@@ -3,17 +3,23 @@
 namespace mrose {
 namespace {
 
+/// Predicts with what the log shows of the tracked points before.
+Expected<std::vector<std::vector<Pose>>> rollOutTracked(const NamedModel& named, const Log& log,
+                                                        std::vector<RolloutStart> starts,
+                                                        std::span<const std::size_t> robots,
+                                                        const RolloutOptions& options) {
+    fillTracked(named, log, starts, robots);
+    return rollOut(named, log, starts, robots, options);
+}
+
 Expected<PercentErrors> errorsOnFloor(const NamedModel& named, const Log& log, const std::optional<Floor>& floor,
                                       Nanoseconds step) {
     if (!floor || floor->pairs.empty()) return ErrorSums{}.percentErrors();
     std::vector<Window> stretches;
-    std::vector<std::size_t> robots;
     for (const FloorPair& pair : floor->pairs)
-        for (const Window* stretch : {&pair.first, &pair.second}) {
-            stretches.push_back(*stretch);
-            robots.push_back(stretch->robot);
-        }
-    const auto predicted = rollOut(named, log, rolloutStarts(log, stretches), robots, RolloutOptions{.step = step});
+        for (const Window* stretch : {&pair.first, &pair.second}) stretches.push_back(*stretch);
+    const auto predicted =
+        rollOutTracked(named, log, rolloutStarts(log, stretches), robotsOf(stretches), {.step = step});
     if (!predicted) return tl::unexpected(predicted.error());
     ErrorSums sums;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
@@ -41,14 +47,13 @@ private:
 Expected<Assessment> evaluateModel(const NamedModel& named, const Log& log, const LogWindows& against,
                                    std::span<const RelativePieces> pieces, Steps& steps) {
     const RolloutOptions options{.step = against.options.step};
-    std::vector<std::size_t> robots;
-    for (const Window& window : against.windows) robots.push_back(window.robot);
-    auto predicted = rollOut(named, log, rolloutStarts(log, against.windows), robots, options);
+    auto predicted =
+        rollOutTracked(named, log, rolloutStarts(log, against.windows), robotsOf(against.windows), options);
     if (!predicted) return tl::unexpected(predicted.error());
     if (auto goesOn = steps.done(); !goesOn) return tl::unexpected(goesOn.error());
     Assessment model = assess(against, named.name, std::move(*predicted));
     for (const RelativePieces& piece : pieces) {
-        const auto ends = rollOut(named, log, piece.starts, piece.robots, options);
+        const auto ends = rollOutTracked(named, log, piece.starts, piece.robots, options);
         if (!ends) return tl::unexpected(ends.error());
         model.relative.push_back(relativePoseError(piece, *ends));
         if (auto goesOn = steps.done(); !goesOn) return tl::unexpected(goesOn.error());

@@ -176,9 +176,9 @@ Expected<GroupRollouts> rollOutGroup(const SampledModel& model, const Log& log, 
     }
     std::vector<Expected<std::vector<std::vector<Pose>>>> drawn(static_cast<std::size_t>(model.samples));
     parallelFor(drawn.size(), [&](std::size_t k) {
-        RolloutOptions seeded = options;
-        seeded.seed = k;
-        drawn[k] = rollOut(model.noisy, log, starts, robots, seeded);
+        std::vector<RolloutStart> runs(starts.begin(), starts.end());
+        for (RolloutStart& run : runs) run.seed = sampleSeed(1, run.time, static_cast<std::uint32_t>(k));
+        drawn[k] = rollOut(model.noisy, log, runs, robots, options);
     });
     for (auto& sample : drawn) {
         if (!sample) return tl::unexpected(sample.error());
@@ -224,15 +224,13 @@ double Forecast::miss() const {
 Expected<std::vector<Forecast>> forecast(const Log& log, const LogWindows& against,
                                          std::span<const SampledModel> models, const Progress& progress) {
     std::vector<RolloutStart> starts = rolloutStarts(log, against.windows);
-    std::vector<std::size_t> robots;
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        robots.push_back(against.windows[i].robot);
-        starts[i].body = static_cast<std::uint32_t>(against.windows[i].robot);
-    }
+    const std::vector<std::size_t> robots = robotsOf(against.windows);
+    for (std::size_t i = 0; i < starts.size(); ++i) starts[i].body = static_cast<std::uint32_t>(robots[i]);
     const RolloutOptions options{.step = against.options.step};
     std::vector<Forecast> forecasts;
     for (std::size_t m = 0; m < models.size(); ++m) {
         Judge judge(against, models[m]);
+        fillTracked(models[m].mean, log, starts, robots);
         for (std::size_t first = 0; first < starts.size(); first += groupSize) {
             const double share = static_cast<double>(first) / static_cast<double>(starts.size());
             if (!mayGoOn(progress, (static_cast<double>(m) + share) / static_cast<double>(models.size())))

@@ -60,8 +60,8 @@ struct SampledModel {
     int samples = 64;       ///< 1: of the mean alone
 };
 
-/// Judges `models` on the windows. Sample k of a window is the robot's own trajectory in a run with seed k that begins
-/// there. The result is the same for any number of threads. Error: as for evaluate().
+/// Judges `models` on the windows. A sample of a window is the robot's own trajectory in a run that begins there, of
+/// the seed that sampleSeed() makes of 1. The result is the same for any number of threads. Error: as for evaluate().
 Expected<std::vector<Forecast>> forecast(const Log& log, const LogWindows& against,
                                          std::span<const SampledModel> models, const Progress& progress = {});
 

@@ -83,7 +83,8 @@ Expected<LogWorld> LogWorld::create(ScenarioParts parts, std::shared_ptr<const L
     world.gatherAll();
     for (std::size_t session = 0; session < world.sessions_.size(); ++session) {
         std::vector<TrackerHistory>& tracked = world.tracked_.emplace_back();
-        for (std::size_t i = 0; i < world.robots_.size(); ++i) tracked.emplace_back(world.trajectory(session, i));
+        for (std::size_t i = 0; i < world.robots_.size(); ++i)
+            tracked.emplace_back(world.trajectory(session, i), world.parts_.scene.modelOf(world.robots_[i].body));
     }
     return world;
 }
@@ -227,6 +228,8 @@ LogWorld::OpenedParts LogWorld::partsAt(std::size_t session, Nanoseconds start, 
         robot.velocity = measured->velocity->velocity;
         robot.tracked = measured->tracked;
         robot.phase = 0;
+        robot.sent = commandsRead(*measured, now);
+        for (StampedCommand& command : robot.sent) command.time -= now;
         parts.controllers[body] = player(*measured, duration, parts.controllers[body]->attention());
     }
     const std::vector<std::size_t> bodies = removeRobots(parts, removed);

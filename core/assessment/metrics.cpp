@@ -166,7 +166,6 @@ RelativePieces relativePieces(const Log& log, std::span<const Window> windows, d
                 relative(w.truth[static_cast<std::size_t>(first)], w.truth[static_cast<std::size_t>(first + steps)]));
         }
     }
-    fillTracked(pieces.starts);
     return pieces;
 }
 

@@ -22,6 +22,11 @@ struct NamedModel {
     static NamedModel same(std::string name, const MotionModel& model);
 };
 
+/// Fills in RolloutStart::tracked, of each start with the model of its robot; `robots` are indices into log.robots.
+/// Starts of a robot that it does not know are left.
+void fillTracked(const NamedModel& model, const Log& log, std::span<RolloutStart> starts,
+                 std::span<const std::size_t> robots);
+
 /// Rollouts of one named model, each start with the model of its robot; `robots` are indices into log.robots. Error: as
 /// for evaluate().
 Expected<std::vector<std::vector<Pose>>> rollOut(const NamedModel& model, const Log& log,

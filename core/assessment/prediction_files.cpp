@@ -142,7 +142,6 @@ Expected<RequestedStarts> requestedStarts(const Log& log, std::span<const Window
         requested.starts.back().body = static_cast<std::uint32_t>(*robot);
         requested.robots.push_back(*robot);
     }
-    fillTracked(requested.starts);
     return requested;
 }
 
@@ -161,7 +160,7 @@ void PredictionsCsv::add(std::span<const std::vector<Pose>> predicted, int sampl
         const RolloutStart& start = requested_.starts[i];
         const std::string& robot = log_.robots[requested_.robots[i]].robot;
         std::string key = windowKey(log_.dataset, robot, start.time) + ",";
-        if (sampled_) key += std::to_string(sample) + ",";
+        if (sampled_) key += std::to_string(sample) + "," + std::to_string(start.seed.value_or(0)) + ",";
         const std::string end = named_ ? "," + start.trajectory->name + "\n" : "\n";
         for (std::size_t k = 1; k <= predicted[i].size(); ++k) {
             if (!at_.empty() && std::find(at_.begin(), at_.end(), k) == at_.end()) continue;
@@ -173,7 +172,8 @@ void PredictionsCsv::add(std::span<const std::vector<Pose>> predicted, int sampl
 }
 
 std::string PredictionsCsv::text() const {
-    std::string text = sampled_ ? "dataset,robot,t_start,sample,t,x,y,heading" : "dataset,robot,t_start,t,x,y,heading";
+    std::string text =
+        sampled_ ? "dataset,robot,t_start,sample,seed,t,x,y,heading" : "dataset,robot,t_start,t,x,y,heading";
     text += named_ ? ",trajectory\n" : "\n";
     for (const std::string& rows : rows_) text += rows;
     return text;

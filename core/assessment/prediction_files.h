@@ -43,8 +43,8 @@ Expected<RequestedStarts> requestedStarts(const Log& log, std::span<const Window
                                           const std::string& fileName);
 
 /// dataset,robot,t_start,t,x,y,heading: one row per window and instant, t the time since t_start in seconds. x and y to
-/// 0.1 um, heading to 0.1 urad. Of several samples of each window t follows a column sample, 0, 1, ...; `at`: the steps
-/// that are written, from 1 on; empty: all.
+/// 0.1 um, heading to 0.1 urad. Of several samples of each window t follows the columns sample, 0, 1, ..., and seed,
+/// that of the starts when they are added; `at`: the steps that are written, from 1 on; empty: all.
 class PredictionsCsv {
 public:
     PredictionsCsv(const Log& log, const RequestedStarts& requested, Nanoseconds step, bool sampled,

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "io/format.h"
+#include "world/noise.h"
 #include "world/noise_channel.h"
 #include "world/seconds_text.h"
 
@@ -55,20 +56,23 @@ Runner prepare(const MotionModel& model, const RolloutStart& start, Nanoseconds 
     if (beginning.before) runner.history.issue(beginning.before->time, beginning.before->command);
     runner.next = beginning.first;
     issueUntil(runner, time);
+    model.recall(runner.memory, runner.history, time);
     return runner;
 }
 
+enum class Drawn { nothing, noise };
+
 /// Moves every runner from its own start time + `elapsed` through one period.
 void advance(const MotionModel& model, std::span<Runner> runners, Nanoseconds elapsed, const RolloutOptions& options,
-             std::vector<MotionInput>& inputs, std::vector<MotionStep>& steps) {
+             Drawn drawn, std::vector<MotionInput>& inputs, std::vector<MotionStep>& steps) {
     inputs.resize(runners.size());
     steps.resize(runners.size());
     for (std::size_t i = 0; i < runners.size(); ++i) {
         const Nanoseconds now = runners[i].start->time + elapsed;
         issueUntil(runners[i], now);
         inputs[i] = {&runners[i].history, now, runners[i].velocity, runners[i].memory};
-        if (options.seed)
-            inputs[i].noise = NoiseKey{*options.seed, elapsed / options.tick, runners[i].start->body,
+        if (drawn == Drawn::noise && runners[i].start->seed)
+            inputs[i].noise = NoiseKey{*runners[i].start->seed, elapsed / options.tick, runners[i].start->body,
                                        channelOf(NoiseChannel::motion)};
     }
     model.predict(inputs, steps);
@@ -98,12 +102,16 @@ void rollOutBatch(const MotionModel& model, std::span<const RolloutStart> starts
         if (active == 0) return;
         const std::span underWay(runners.data(), active);
         for (Nanoseconds i = 0; i < periodsPerStep; ++i)
-            advance(model, underWay, step * options.step + i * model.period(), options, inputs, steps);
+            advance(model, underWay, step * options.step + i * model.period(), options, Drawn::noise, inputs, steps);
         for (std::size_t i = 0; i < active; ++i) poses[order[i]].push_back(runners[i].pose);
     }
 }
 
 }  // namespace
+
+std::uint32_t sampleSeed(std::uint64_t seed, Nanoseconds time, std::uint32_t sample) {
+    return static_cast<std::uint32_t>(noiseBits({seed, time, sample, channelOf(NoiseChannel::sample)}));
+}
 
 std::vector<StampedCommand> commandsRead(const RolloutStart& start, Nanoseconds until, const RolloutOptions& options) {
     const auto& commands = start.trajectory->commands;
@@ -123,8 +131,6 @@ void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, co
                                                   : options.lead + period - 1;
         earlier[before / period].push_back(&start);
     }
-    RolloutOptions mean = options;
-    mean.seed.reset();
     std::vector<MotionInput> inputs;
     std::vector<MotionStep> steps;
     for (const auto& [periods, group] : earlier) {
@@ -133,7 +139,8 @@ void fillVelocities(const MotionModel& model, std::span<RolloutStart> starts, co
             runners.push_back(prepare(model, *start, start->time - periods * period, options.lead));
             if (start->velocity) runners.back().velocity = start->velocity->velocity;
         }
-        for (Nanoseconds i = -periods; i < 0; ++i) advance(model, runners, i * period, mean, inputs, steps);
+        for (Nanoseconds i = -periods; i < 0; ++i)
+            advance(model, runners, i * period, options, Drawn::nothing, inputs, steps);
         for (std::size_t i = 0; i < group.size(); ++i) group[i]->velocity = {group[i]->time, runners[i].velocity};
     }
 }

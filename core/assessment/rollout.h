@@ -22,15 +22,19 @@ struct RolloutStart {
     /// RolloutOptions::lead.
     std::optional<StampedVelocity> velocity;
     int steps = 0;
-    TrackerEvidence tracked;  ///< from what was seen before `time`
+    TrackerEvidence tracked;  ///< from what was seen before `time`; of the model that predicts it (fillTracked)
     std::uint32_t body = 0;   ///< which robot of a world it is, for what is random
+    std::optional<std::uint64_t> seed = std::nullopt;  ///< of the run in which noise is drawn; none: the mean is wanted
 };
 
+/// Of the run that is sample `sample` of what begins at `time`. Samples have nothing in common with each other, nor
+/// with those that begin at another time: what they happen to be is no more often too wide than too narrow.
+std::uint32_t sampleSeed(std::uint64_t seed, Nanoseconds time, std::uint32_t sample);
+
 struct RolloutOptions {
-    Nanoseconds step = 100'000'000;                    ///< of the output; a whole multiple of the model's period
-    Nanoseconds lead = commandsKnownBefore;            ///< commands known to the model before the start
-    std::optional<std::uint64_t> seed = std::nullopt;  ///< of the run in which noise is drawn; none: the mean is wanted
-    Nanoseconds tick = 20'000'000;                     ///< that run's
+    Nanoseconds step = 100'000'000;          ///< of the output; a whole multiple of the model's period
+    Nanoseconds lead = commandsKnownBefore;  ///< commands known to the model before the start
+    Nanoseconds tick = 20'000'000;           ///< of the run in which noise is drawn
 };
 
 /// The commands that a rollout reads up to `until`: the one in force a lead before its start, and all since. A

@@ -17,32 +17,63 @@ constexpr double forgetting = 60;  // s
 /// From an instant of the grid until it is known: poses that are part of its truth come by then, or there is none.
 constexpr Nanoseconds untilKnown = truthGap;
 
+/// Poses `step` apart: by how much the last point lies sideways of the way that leads there, beyond what arcs do.
+double sidewaysOfWay(const Pose& start, std::span<const Pose> poses) {
+    double sideways = 0;
+    Pose before = start;
+    for (const Pose& pose : poses) {
+        sideways += TrackerEvidence::sidewaysOfArc(relative(before, pose));
+        before = pose;
+    }
+    return sideways;
+}
+
+/// What the model makes of each step of the grid, by step; empty: it does not predict in these steps.
+std::vector<std::vector<Pose>> expectedSteps(const Trajectory& trajectory, const PoseGrid& grid,
+                                             const MotionModel& model) {
+    std::vector<RolloutStart> starts;
+    for (std::size_t i = 0; i + gridSteps < grid.size(); i += gridSteps) {
+        const Nanoseconds time = grid.time(i);
+        const Velocity velocity = measuredVelocity(trajectory, time).value_or(grid.velocities[i]);
+        starts.push_back({.trajectory = &trajectory,
+                          .time = time,
+                          .pose = grid.poses[i],
+                          .velocity = StampedVelocity{time, velocity},
+                          .steps = static_cast<int>(gridSteps)});
+    }
+    return rollOut(model, starts, {.step = gridStep}).value_or(std::vector<std::vector<Pose>>());
+}
+
 }  // namespace
 
-TrackerHistory::TrackerHistory(const Trajectory& trajectory) {
+TrackerHistory::TrackerHistory(const Trajectory& trajectory, const MotionModel& model) {
     const PoseGrid grid = poseGrid(trajectory, gridStep, {truthSmoothed, truthSmoothed});
     if (grid.size() <= gridSteps) return;
+    const std::vector<std::vector<Pose>> expected = expectedSteps(trajectory, grid, model);
     first_ = grid.time(gridSteps) + untilKnown;
     const std::vector<TruthJump> jumps =
         truthJumps(trajectory, grid.start - truthSmoothed, trajectory.poses.back().time);
     auto jump = jumps.begin();
     const double kept = decay(toSeconds(stepLength) / forgetting);
     TrackerEvidence evidence;
-    for (std::size_t i = 0; i + gridSteps < grid.size(); i += gridSteps) {
-        while (jump != jumps.end() && jump->after < grid.time(i) - truthSmoothed) ++jump;
+    for (std::size_t step = 0; step < expected.size(); ++step) {
+        const std::size_t begin = step * gridSteps;
+        while (jump != jumps.end() && jump->after < grid.time(begin) - truthSmoothed) ++jump;
         // One that ends after the step is known does not reach into it.
-        const Nanoseconds end = grid.time(i + gridSteps);
+        const Nanoseconds end = grid.time(begin + gridSteps);
         const bool jumped =
             jump != jumps.end() && jump->before <= end + truthSmoothed && jump->after <= end + untilKnown;
-        bool sound = !jumped;
-        double rotation = 0, forward = 0, sideways = 0;
-        for (std::size_t k = i; k < i + gridSteps; ++k) {
-            sound = sound && grid.ok[k] && grid.ok[k + 1];
+        bool sound = !jumped && grid.ok[begin];
+        double rotation = 0, forward = 0;
+        for (std::size_t k = begin; k < begin + gridSteps; ++k) {
+            sound = sound && grid.ok[k + 1];
             const Pose increment = relative(grid.poses[k], grid.poses[k + 1]);
             rotation += increment.heading;
             forward += increment.x;
-            sideways += TrackerEvidence::sidewaysOfArc(increment);
         }
+        const Pose& start = grid.poses[begin];
+        const double sideways = sidewaysOfWay(start, std::span(grid.poses).subspan(begin + 1, gridSteps)) -
+                                sidewaysOfWay(start, expected[step]);
         evidence.fade(kept);
         if (sound) evidence.add(rotation, forward, sideways);
         evidence_.push_back(evidence);
@@ -55,10 +86,10 @@ TrackerEvidence TrackerHistory::at(Nanoseconds time) const {
     return evidence_[std::min(steps, evidence_.size() - 1)];
 }
 
-void fillTracked(std::span<RolloutStart> starts) {
+void fillTracked(const MotionModel& model, std::span<RolloutStart> starts) {
     std::map<const Trajectory*, TrackerHistory> histories;
     for (RolloutStart& start : starts)
-        start.tracked = histories.try_emplace(start.trajectory, *start.trajectory).first->second.at(start.time);
+        start.tracked = histories.try_emplace(start.trajectory, *start.trajectory, model).first->second.at(start.time);
 }
 
 }  // namespace mrose

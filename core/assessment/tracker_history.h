@@ -9,12 +9,13 @@
 
 namespace mrose {
 
-/// What the ground truth of a trajectory says of where the tracked point lies on the robot, as time goes on: in steps
-/// of 0.5 s, and what is a minute old counts 1/e as much. (README.md says how these were chosen.) A step in which the
-/// truth jumps or is not known says nothing.
+/// What the ground truth of a trajectory says of where the tracked point lies on the robot, beyond what a model of it
+/// knows, as time goes on: how far the point moved sideways in steps of 0.5 s, less what the model expects of each.
+/// What is a minute old counts 1/e as much. (README.md says how these were chosen.) A step in which the truth jumps or
+/// is not known says nothing.
 class TrackerHistory {
 public:
-    explicit TrackerHistory(const Trajectory& trajectory);
+    TrackerHistory(const Trajectory& trajectory, const MotionModel& model);
 
     /// From truth at or before `time` alone, never later.
     TrackerEvidence at(Nanoseconds time) const;
@@ -24,7 +25,7 @@ private:
     std::vector<TrackerEvidence> evidence_;  ///< every 0.5 s
 };
 
-/// Fills in RolloutStart::tracked.
-void fillTracked(std::span<RolloutStart> starts);
+/// Fills in RolloutStart::tracked for rollouts of this model.
+void fillTracked(const MotionModel& model, std::span<RolloutStart> starts);
 
 }  // namespace mrose

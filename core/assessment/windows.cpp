@@ -199,8 +199,13 @@ std::vector<RolloutStart> rolloutStarts(const Log& log, std::span<const Window> 
     for (const Window& w : windows)
         starts.push_back(
             {&log.robots[w.robot].trajectories[w.trajectory], w.start, w.measuredPose, w.measuredVelocity, w.steps()});
-    fillTracked(starts);
     return starts;
+}
+
+std::vector<std::size_t> robotsOf(std::span<const Window> windows) {
+    std::vector<std::size_t> robots;
+    for (const Window& window : windows) robots.push_back(window.robot);
+    return robots;
 }
 
 std::vector<Window> denseStretches(const Log& log, std::size_t robot, const WindowOptions& options,

@@ -65,8 +65,11 @@ std::vector<Window> denseStretches(const Log& log, std::size_t robot, const Wind
 /// is left to fillTracked(). Error: the truth does not reach to `time`.
 Expected<RolloutStart> measureStart(const Trajectory& trajectory, Nanoseconds time, int steps);
 
-/// The starts of the windows' rollouts. They point into `log`.
+/// The starts of the windows' rollouts. They point into `log`. RolloutStart::tracked is left to fillTracked().
 std::vector<RolloutStart> rolloutStarts(const Log& log, std::span<const Window> windows);
+
+/// Of each, as indices into Log::robots.
+std::vector<std::size_t> robotsOf(std::span<const Window> windows);
 
 /// Path length in metres and absolute rotation in radians over 0.5 s steps (and what remains at the end).
 struct Travel {

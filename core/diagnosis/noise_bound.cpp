@@ -15,9 +15,12 @@ using At = DivergenceBound::At;
 std::vector<std::vector<At>> deviationsOf(const LearnedModel& model, const RolloutStart& start, int runs,
                                           Nanoseconds step) {
     std::vector<RolloutStart> starts(static_cast<std::size_t>(runs), start);
-    for (std::size_t run = 0; run < starts.size(); ++run) starts[run].body = static_cast<std::uint32_t>(run);
+    for (std::size_t run = 0; run < starts.size(); ++run) {
+        starts[run].body = static_cast<std::uint32_t>(run);
+        starts[run].seed = 0;
+    }
     const auto mean = rollOut(*model.drawn(MotionDraw::mean), {&start, 1}, {.step = step});
-    const auto drawn = rollOut(*model.drawn(MotionDraw::noisy), starts, {.step = step, .seed = 0});
+    const auto drawn = rollOut(*model.drawn(MotionDraw::noisy), starts, {.step = step});
     std::vector<std::vector<At>> deviations;
     if (!mean || !drawn) return deviations;  // a period that does not divide the step: nothing was compared either
     for (const std::vector<Pose>& run : *drawn) {

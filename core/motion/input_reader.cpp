@@ -157,6 +157,16 @@ double* InputReader::wheelMeans(const Pieces& pieces, double* means) const {
     return wheels_.means<wheelWidth>(pieces, phases.data(), means);
 }
 
+InputReader::Followed InputReader::followedFrom(const CommandView& commands, Nanoseconds start) const {
+    Pieces pieces;
+    const MotionInput input{commands, start, {}};
+    const std::size_t count = collect(input, std::max(toldFrom_, toSeconds(commandsKnownBefore)), pieces);
+    const double* const oldest = &pieces.commands[(count - 1) * commandWidth];
+    const RampedCommand ramped(limits_, std::span(pieces.ages.data(), count + 1), pieces.commands.data(), commandWidth,
+                               {oldest[0], oldest[1]});
+    return {ramped.at(oldest_), beginOf(input)};
+}
+
 void InputReader::compute(const MotionInput& input, int robot, Followed* followed, Values& values) const {
     Pieces pieces;
     const Nanoseconds begin = beginOf(input);

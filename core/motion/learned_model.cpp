@@ -64,7 +64,8 @@ struct NoiseMemory {
     float forward = 0, heading = 0;  ///< the mean's increment of the period before
 };
 
-std::uint32_t lowerBits(Nanoseconds time) { return static_cast<std::uint32_t>(time / 1000); }
+/// Never 0.
+std::uint32_t lowerBits(Nanoseconds time) { return std::max(1U, static_cast<std::uint32_t>(time / 1000)); }
 
 }  // namespace
 
@@ -76,9 +77,16 @@ std::size_t LearnedMotion::memorySize(MotionDraw draw) const {
 
 void LearnedMotion::adapt(int robot, std::span<std::byte> memory, const TrackerEvidence& seen) const {
     if (seen.none()) return;
-    const TrackerOffset own = tracker(robot), now = seen.offset(robot >= 0 ? own : usualTracker_);
-    as<Memory>(memory).ahead = static_cast<float>(now.ahead - own.ahead);
-    as<Memory>(memory).rotated = static_cast<float>(now.rotated - own.rotated);
+    const TrackerOffset besides = seen.offset(robot >= 0 ? TrackerOffset{} : usualTracker_);
+    as<Memory>(memory).ahead = static_cast<float>(besides.ahead);
+    as<Memory>(memory).rotated = static_cast<float>(besides.rotated);
+}
+
+void LearnedMotion::recall(std::span<std::byte> memory, const CommandView& sent, Nanoseconds start) const {
+    if (!inputs_.ramps()) return;
+    const InputReader::Followed followed = inputs_.followedFrom(sent, start);
+    followedIn(memory) = {followed.command.v, followed.command.w};
+    as<Memory>(memory).followedAt = lowerBits(followed.time);
 }
 
 const MlpInference& LearnedMotion::inferenceFor(MotionDraw draw) const {
@@ -156,7 +164,7 @@ void LearnedMotion::readInputs(const MotionInput& input, int robot, float* row) 
     Velocity& kept = followedIn(input.memory);
     InputReader::Followed followed;
     const Nanoseconds begin = inputs_.beginOf(input);
-    if (memory.begun != 0 && memory.followedAt == lowerBits(begin)) followed = {{kept.v, kept.w}, begin};
+    if (memory.followedAt == lowerBits(begin)) followed = {{kept.v, kept.w}, begin};
     inputs_.read(input, robot, row, &followed);
     kept = {followed.command.v, followed.command.w};
     memory.followedAt = lowerBits(followed.time);

@@ -35,7 +35,7 @@ public:
         /// (InputReader::Followed).
         Velocity unperturbed;
         std::uint32_t begun = 0;       ///< 0 before the first period: `unperturbed` is told from the commands
-        std::uint32_t followedAt = 0;  ///< when the drive follows that: the lower bits of microseconds
+        std::uint32_t followedAt = 0;  ///< when the drive follows that: the lower bits of microseconds; 0: at no time
         /// Of the tracked point, besides what the network knows: MotionModel::adapt.
         float ahead = 0, rotated = 0;
     };
@@ -53,6 +53,9 @@ public:
     }
     /// What a memory takes over of what was seen of its robot before: MotionModel::adapt.
     void adapt(int robot, std::span<std::byte> memory, const TrackerEvidence& seen) const;
+
+    /// What a memory takes over of what its robot was sent before: MotionModel::recall.
+    void recall(std::span<std::byte> memory, const CommandView& sent, Nanoseconds start) const;
 
     /// Steps for robots that may differ: robots[i] is the index by InputReader::robotIndex.
     void predict(std::span<const MotionInput> inputs, std::span<const int> robots, std::span<MotionStep> steps,
@@ -134,6 +137,9 @@ public:
     void restart(std::span<std::byte> memory) const override;
     void adapt(std::span<std::byte> memory, const TrackerEvidence& seen) const override {
         motion_->adapt(robot_, memory, seen);
+    }
+    void recall(std::span<std::byte> memory, const CommandView& sent, Nanoseconds start) const override {
+        motion_->recall(memory, sent, start);
     }
     void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override;
     void predict(std::span<const MotionInput> inputs, std::span<MotionStep> steps) const override;

@@ -70,9 +70,12 @@ public:
         std::fill(memory.begin(), memory.end(), std::byte{0});
         start(memory);
     }
-    /// Tells a memory at a run's start what was seen of its robot before: what is predicted then is where its tracked
-    /// point will be. Models that know of no such point leave it.
+    /// Tells a memory at a run's start what was seen of its robot before, beyond what this model expects: what is
+    /// predicted then is where its tracked point will be. Models that know of no such point leave it.
     virtual void adapt(std::span<std::byte> /*memory*/, const TrackerEvidence& /*seen*/) const {}
+    /// Tells a memory at a run's start, which is `start`, what its robot was sent before, also farther back than
+    /// lookBack(). Models that need no more leave it.
+    virtual void recall(std::span<std::byte> /*memory*/, const CommandView& /*sent*/, Nanoseconds /*start*/) const {}
     /// What such a memory says.
     virtual void explain(std::span<const std::byte> /*memory*/, MemoryEntries& /*entries*/) const {}
 

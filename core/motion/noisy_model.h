@@ -23,6 +23,9 @@ public:
     void start(std::span<std::byte> memory) const override { model_->start(memory); }
     void restart(std::span<std::byte> memory) const override { model_->restart(memory); }
     void adapt(std::span<std::byte> memory, const TrackerEvidence& seen) const override { model_->adapt(memory, seen); }
+    void recall(std::span<std::byte> memory, const CommandView& sent, Nanoseconds start) const override {
+        model_->recall(memory, sent, start);
+    }
     void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
         model_->explain(memory, entries);
     }

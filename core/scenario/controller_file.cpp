@@ -115,7 +115,10 @@ ControllerSetting logPlayer(const Context& context) {
                          "in the folder that MROSE_DATA names, or another one by --log");
         return {};
     }
-    return {std::make_shared<CommandPlayer>(content->commands, std::move(reads)), content->start, excerpt};
+    std::vector<StampedCommand> sent = content->commands;
+    std::erase_if(sent, [](const StampedCommand& command) { return command.time > 0; });
+    return {std::make_shared<CommandPlayer>(content->commands, std::move(reads)), content->start, excerpt,
+            std::move(sent)};
 }
 
 ControllerSetting goToPose(const Context& context) {

@@ -20,6 +20,7 @@ struct ControllerSetting {
     std::shared_ptr<const Controller> controller;  ///< nothing after an error, which the table remembers
     std::optional<Pose> logStart = {};             ///< of a log player: where the real robot was
     std::optional<LogExcerpt> played = {};         ///< of a log player
+    std::vector<StampedCommand> sent = {};         ///< of a log player: SceneRobot::sent
 };
 
 /// A robot or person of the scenario, as others name it.

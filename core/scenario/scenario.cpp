@@ -162,8 +162,14 @@ WorldState Scenario::freshState(std::uint64_t seed) const {
     state.memory.resize(memorySize_);
     state.sensing.resize(sensingSize_);
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-        scene.modelOf(i).start(motionMemory(state, i));
-        scene.modelOf(i).adapt(motionMemory(state, i), scene.robots[i].tracked);
+        const SceneRobot& robot = scene.robots[i];
+        const MotionModel& model = scene.modelOf(i);
+        model.start(motionMemory(state, i));
+        model.adapt(motionMemory(state, i), robot.tracked);
+        if (robot.sent.empty()) continue;
+        CommandHistory sent;
+        for (const StampedCommand& command : robot.sent) sent.issue(command.time, command.command);
+        model.recall(motionMemory(state, i), sent, robot.phase * scene.tickLength);
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         scene.typeOfObject(i).motion->start(motionMemory(state, scene.robots.size() + i));

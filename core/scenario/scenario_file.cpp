@@ -256,6 +256,7 @@ void ScenarioReader::readRobot(TomlTable& table, bool person) {
         body.start = *setting.logStart;
     else
         body.start = pose(table.table("start"));
+    body.sent = std::move(setting.sent);
     body.phase = phase(table, *scene_.models[body.model]);
     if (table.has("team")) body.team = name(table, "team");
     readNumber(table, body);

@@ -36,6 +36,8 @@ struct SceneRobot {
     Pose start;
     Velocity velocity = {};        ///< at the start, as its model reads it
     TrackerEvidence tracked = {};  ///< what was seen of a real one before: MotionModel::adapt
+    /// What a real one was sent before, at times up to 0, that of the start: MotionModel::recall.
+    std::vector<StampedCommand> sent = {};
     /// Where others were left out: its place among all, by which people, colours and conditions know it.
     std::optional<std::uint32_t> place = {};
     std::string motionRobot = {};  ///< which of the robots of its networks it is; "": none of them

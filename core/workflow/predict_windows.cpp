@@ -72,16 +72,18 @@ Expected<PredictedWindows> predictWindows(const PredictRequest& request, const P
     if (!steps) return tl::unexpected(steps.error());
     auto instants = instantsOf(request, *steps, options.step);
     if (!instants) return tl::unexpected(instants.error());
-    const auto starts = requestedStarts(*log, *windows, *steps, request.windows);
+    auto starts = requestedStarts(*log, *windows, *steps, request.windows);
     if (!starts) return tl::unexpected(starts.error());
     const bool sampled = request.samples > 0;
     const RobotModels models = learnedModels(*motion, *log, sampled ? MotionDraw::noisy : MotionDraw::mean);
+    fillTracked(named(models), *log, starts->starts, starts->robots);
     PredictionsCsv rows(*log, *starts, options.step, sampled, std::move(*instants));
     const int runs = std::max(1, request.samples);
     for (int k = 0; k <= runs; ++k) {
         if (!mayGoOn(progress, static_cast<double>(k) / runs)) return fail(log->source, "was not predicted: cancelled");
         if (k == runs) break;
-        if (sampled) options.seed = static_cast<std::uint64_t>(k);
+        for (RolloutStart& start : starts->starts)
+            if (sampled) start.seed = sampleSeed(request.seed, start.time, static_cast<std::uint32_t>(k));
         const auto predicted = rollOut(named(models), *log, starts->starts, starts->robots, options);
         if (!predicted) return tl::unexpected(predicted.error());
         rows.add(*predicted, k);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct PredictRequest {
     bool overwrite = false;                ///< of a file that is there already
     std::vector<std::string> robots = {};  ///< of the log, by name; empty: all
     double horizon = 10;                   ///< of a window, s
-    int samples = 0;                       ///< of each window, the k-th that of a run with seed k; 0: the mean alone
-    std::vector<double> at = {};           ///< s after a window's start that are written; empty: every step
+    int samples = 0;                       ///< of each window, from sampleSeed() of `seed`; 0: the mean alone
+    std::uint64_t seed = 1;
+    std::vector<double> at = {};  ///< s after a window's start that are written; empty: every step
 };
 
 struct PredictedWindows {

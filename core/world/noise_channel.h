@@ -20,6 +20,7 @@ enum class NoiseChannel : std::uint32_t {
     sensor,  ///< the part: which sensor of the robot, and which draw
     radio,   ///< of the receiver; the part: the message's number, and its sender
     kick,    ///< of the kicking robot; the part: which manipulator, and which draw
+    sample,  ///< no draw of a run, but the seed of one
 };
 
 constexpr std::uint32_t channelOf(NoiseChannel kind, std::uint32_t part = 0) {

@@ -27,8 +27,9 @@ protected:
     ForecastTest() {
         Trajectory driven = obedientTrajectory(0, 1500 * second, roaming, 10);
         const NoisyModel real(mean_, straying);
-        const RolloutStart start{&driven, 0, driven.poses.front().pose, StampedVelocity{}, 15000};
-        const auto poses = rollOut(real, {&start, 1}, {.seed = 99'991});
+        RolloutStart start{&driven, 0, driven.poses.front().pose, StampedVelocity{}, 15000};
+        start.seed = 99'991;
+        const auto poses = rollOut(real, {&start, 1});
         for (std::size_t k = 0; k < poses->front().size(); ++k) driven.poses[k + 1].pose = poses->front()[k];
         log_ = logOf({driven});
         windows_ = logWindows(log_, *findWindows(log_), {});
@@ -58,9 +59,12 @@ double energyByHand(const std::vector<Point>& samples, const Point& real) {
 
 TEST_F(ForecastTest, ScoresAreThoseOfTheRunsWithEachSeed) {
     const NoisyModel noisy(mean_, straying);
-    const std::vector<RolloutStart> starts = rolloutStarts(log_, windows_.windows);
+    std::vector<RolloutStart> starts = rolloutStarts(log_, windows_.windows);
     std::vector<std::vector<std::vector<Pose>>> runs;
-    for (std::uint64_t seed = 0; seed < 8; ++seed) runs.push_back(*rollOut(noisy, starts, {.seed = seed}));
+    for (std::uint32_t sample = 0; sample < 8; ++sample) {
+        for (RolloutStart& start : starts) start.seed = sampleSeed(1, start.time, sample);
+        runs.push_back(*rollOut(noisy, starts));
+    }
     const Forecast found = forecastWith(straying, 8);
     ASSERT_EQ(found.at.size(), 4u);
     const std::array<std::size_t, 4> instants{10, 20, 50, 100};
@@ -86,6 +90,27 @@ TEST_F(ForecastTest, ScoresAreThoseOfTheRunsWithEachSeed) {
         EXPECT_NEAR(found.at[i].energy, energy / static_cast<double>(starts.size()), 1e-9) << i;
     }
     EXPECT_NEAR(found.moves, moves / static_cast<double>(starts.size()), 1e-9);
+}
+
+/// Else what the draws of some samples happen to be would be taken for the noise.
+TEST_F(ForecastTest, SamplesOfWindowsHaveNothingInCommon) {
+    const NoisyModel noisy(mean_, straying);
+    std::vector<RolloutStart> starts = rolloutStarts(log_, windows_.windows);
+    double products = 0, squares = 0, count = 0;
+    for (std::uint32_t sample = 0; sample < 16; ++sample) {
+        for (RolloutStart& start : starts) start.seed = sampleSeed(1, start.time, sample);
+        const auto poses = rollOut(noisy, starts), means = rollOut(*mean_, starts);
+        ASSERT_TRUE(poses && means);
+        double before = 0;
+        for (std::size_t w = 0; w < starts.size(); ++w) {
+            const double turned = (*poses)[w].back().heading - (*means)[w].back().heading;
+            products += w > 0 ? turned * before : 0;
+            squares += turned * turned;
+            count += 1;
+            before = turned;
+        }
+    }
+    EXPECT_LT(std::abs(products / squares), 4 / std::sqrt(count));
 }
 
 TEST_F(ForecastTest, WhoKnowsTheNoiseIsCalibratedAndHasTheBestScores) {

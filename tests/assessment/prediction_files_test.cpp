@@ -93,16 +93,19 @@ TEST(Predictions, HaveOneRowPerStep) {
 TEST(Predictions, OfSamplesAreByWindowAndHaveTheStepsAskedFor) {
     const Log log = logOf({obedientTrajectory(0, 20 * second, [](double) { return Command{0.1, 0}; })});
     const Trajectory* const whole = &log.robots[0].trajectories[0];
-    const RequestedStarts requested{{{whole, 1'250'000'000, {}, {}, 2}, {whole, 2'000'000'000, {}, {}, 2}}, {0, 0}};
+    RequestedStarts requested{{{whole, 1'250'000'000, {}, {}, 2}, {whole, 2'000'000'000, {}, {}, 2}}, {0, 0}};
+    requested.starts[0].seed = 71;
+    requested.starts[1].seed = 4'294'967'295;
     PredictionsCsv rows(log, requested, 100'000'000, true, {2});
     rows.add(std::vector<std::vector<Pose>>{{{}, {1, 0, 0}}, {{}, {2, 0, 0}}}, 0);
+    requested.starts[0].seed = 72;
     rows.add(std::vector<std::vector<Pose>>{{{}, {3, 0, 0}}, {{}, {4, 0, 0}}}, 1);
     EXPECT_EQ(rows.text(),
-              "dataset,robot,t_start,sample,t,x,y,heading\n"
-              "0,r,1.25,0,0.2,1.0000000,0.0000000,0.0000000\n"
-              "0,r,1.25,1,0.2,3.0000000,0.0000000,0.0000000\n"
-              "0,r,2.0,0,0.2,2.0000000,0.0000000,0.0000000\n"
-              "0,r,2.0,1,0.2,4.0000000,0.0000000,0.0000000\n");
+              "dataset,robot,t_start,sample,seed,t,x,y,heading\n"
+              "0,r,1.25,0,71,0.2,1.0000000,0.0000000,0.0000000\n"
+              "0,r,1.25,1,72,0.2,3.0000000,0.0000000,0.0000000\n"
+              "0,r,2.0,0,4294967295,0.2,2.0000000,0.0000000,0.0000000\n"
+              "0,r,2.0,1,4294967295,0.2,4.0000000,0.0000000,0.0000000\n");
 }
 
 TEST(SecondsText, LosesNothing) {

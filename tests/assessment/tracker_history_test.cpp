@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/prediction_files.h"
+#include "assessment/named_model.h"
 #include "assessment/test_models.h"
-#include "assessment/windows.h"
 #include "support/units.h"
 
 namespace mrose {
@@ -23,9 +22,11 @@ Trajectory trackedBy(const TrackerOffset& offset, Nanoseconds knocked = 1'000'00
     return trajectory;
 }
 
+const HeldCommandModel obedient;  ///< whose marker is on the axle
+
 TEST(TrackerHistory, IsFoundWhileTheRobotDrives) {
     const TrackerOffset real{-0.04, 0.03};
-    const TrackerHistory point(trackedBy(real));
+    const TrackerHistory point(trackedBy(real), obedient);
     EXPECT_TRUE(point.at(3 * second).none()) << "nothing was seen yet";
     EXPECT_FALSE(point.at(4 * second).none());
     for (const Nanoseconds time : {20 * second, 100 * second, 303 * second, 999 * second}) {
@@ -36,7 +37,7 @@ TEST(TrackerHistory, IsFoundWhileTheRobotDrives) {
 
 TEST(TrackerHistory, FollowsAMarkerThatIsKnocked) {
     const TrackerOffset before{-0.04, 0.03}, after{0.02, -0.4};
-    const TrackerHistory point(trackedBy(before, 100 * second, after));
+    const TrackerHistory point(trackedBy(before, 100 * second, after), obedient);
     EXPECT_NEAR(point.at(99 * second).offset().rotated, before.rotated, 1e-3);
     EXPECT_NEAR(point.at(160 * second).offset().rotated, after.rotated + (before.rotated - after.rotated) / std::exp(1),
                 0.03)
@@ -58,11 +59,11 @@ TEST(TrackerHistory, ReadsNoTruthAfterTheInstant) {
                 if (pose.time > time) pose.pose.x += 5;
             std::erase_if(ending.poses,
                           [&](const StampedPose& pose) { return pose.time > time && pose.time < time + 5 * second; });
-            const TrackerOffset offset = TrackerHistory(trajectory).at(time).offset();
-            EXPECT_EQ(TrackerHistory(garbled).at(time).offset(), offset) << time;
-            EXPECT_EQ(TrackerHistory(jumping).at(time).offset(), offset) << time;
-            EXPECT_EQ(TrackerHistory(ending).at(time).offset(), offset) << time;
-            EXPECT_NE(TrackerHistory(garbled).at(time + 2 * second).offset(), offset);
+            const TrackerOffset offset = TrackerHistory(trajectory, obedient).at(time).offset();
+            EXPECT_EQ(TrackerHistory(garbled, obedient).at(time).offset(), offset) << time;
+            EXPECT_EQ(TrackerHistory(jumping, obedient).at(time).offset(), offset) << time;
+            EXPECT_EQ(TrackerHistory(ending, obedient).at(time).offset(), offset) << time;
+            EXPECT_NE(TrackerHistory(garbled, obedient).at(time + 2 * second).offset(), offset);
         }
     }
 }
@@ -73,39 +74,76 @@ TEST(TrackerHistory, LeavesOutGapsAndJumps) {
     std::erase_if(trajectory.poses, [](const StampedPose& pose) { return pose.time % (10 * second) < 4 * second; });
     for (StampedPose& pose : trajectory.poses)
         if (pose.time > 155 * second && pose.time < 156 * second) pose.pose.x += 2, pose.pose.y -= 1;
-    const TrackerOffset found = TrackerHistory(trajectory).at(158 * second).offset();
+    const TrackerOffset found = TrackerHistory(trajectory, obedient).at(158 * second).offset();
     EXPECT_NEAR(found.ahead, real.ahead, 1e-3);
     EXPECT_NEAR(found.rotated, real.rotated, 1e-3);
 }
 
-TEST(TrackerHistory, IsKnownToAllPredictionsOfALog) {
-    const Log log = logOf({trackedBy({-0.04, 0.03})});
-    const auto windows = findWindows(log);
-    ASSERT_TRUE(windows) << windows.error().message();
-    const std::vector<RolloutStart> starts = rolloutStarts(log, *windows);
-    for (std::size_t i = 1; i < starts.size(); ++i) EXPECT_NEAR(starts[i].tracked.offset().rotated, 0.03, 1e-3);
-    const std::vector<WindowRequest> requests{{0, "r", "", 50 * second, 2}};
-    const auto requested = requestedStarts(log, requests, 10, "windows.csv");
-    ASSERT_TRUE(requested) << requested.error().message();
-    EXPECT_NEAR(requested->starts[0].tracked.offset().rotated, 0.03, 1e-3);
-    const RelativePieces pieces = relativePieces(log, std::span(*windows).subspan(1), 2, 100 * ms);
-    EXPECT_NEAR(pieces.starts.at(0).tracked.offset().rotated, 0.03, 1e-3);
+/// Its tyres scrub in bends, so that it slides outwards.
+class SlidingModel final : public HeldCommandModel {
+    MotionStep step(const MotionInput& input) const override {
+        MotionStep step = HeldCommandModel::step(input);
+        step.increment.y -= 0.3 * step.velocity.v * step.velocity.v * step.increment.heading;
+        return step;
+    }
+};
+
+/// Where the robot slides, its marker lies ahead of the axle for all that a model knows which does not slide.
+TEST(TrackerHistory, TellsTheMarkerFromWhatTheModelKnows) {
+    const SlidingModel sliding;
+    const TrackerOffset real{-0.04, 0.03};
+    Trajectory trajectory = trackedBy({});
+    const RolloutStart start{&trajectory, 3 * second, {}, StampedVelocity{3 * second, {}}, 2990};
+    const auto driven = rollOut(sliding, {&start, 1});
+    ASSERT_TRUE(driven) << driven.error().message();
+    trajectory.poses.clear();
+    for (std::size_t k = 0; k < driven->front().size(); ++k)
+        trajectory.poses.push_back({start.time + static_cast<Nanoseconds>(k + 1) * 100 * ms,
+                                    driven->front()[k] * Pose{real.ahead, 0, real.rotated}});
+    const TrackerOffset known = TrackerHistory(trajectory, sliding).at(200 * second).offset(),
+                        unknown = TrackerHistory(trajectory, obedient).at(200 * second).offset();
+    EXPECT_NEAR(known.ahead, real.ahead, 1e-3);
+    EXPECT_NEAR(known.rotated, real.rotated, 1e-3);
+    EXPECT_LT(unknown.ahead, real.ahead - 5e-3);
 }
 
 TEST(TrackerHistory, SaysNothingWithoutTruthOrCommands) {
     Trajectory trajectory = trackedBy({});
     trajectory.commands.clear();
-    EXPECT_TRUE(TrackerHistory(trajectory).at(100 * second).none());
-    EXPECT_TRUE(TrackerHistory(Trajectory{}).at(0).none());
+    EXPECT_TRUE(TrackerHistory(trajectory, obedient).at(100 * second).none());
+    EXPECT_TRUE(TrackerHistory(Trajectory{}, obedient).at(0).none());
+}
+
+TEST(TrackerHistory, OfManyRobotsIsOfTheModelOfEach) {
+    const SlidingModel sliding;
+    Log log = logOf({trackedBy({-0.04, 0.03})});
+    for (const char* const robot : {"other", "unknown"}) {
+        log.robots.push_back(log.robots.front());
+        log.robots.back().robot = robot;
+    }
+    const NamedModel named{"named", [&](const std::string& robot) -> const MotionModel* {
+                               return robot == "unknown" ? nullptr : robot == "other" ? &sliding : &obedient;
+                           }};
+    std::vector<RolloutStart> starts;
+    std::vector<std::size_t> robots{2, 1, 0, 1};
+    for (const std::size_t robot : robots) starts.push_back({&log.robots[robot].trajectories[0], 50 * second});
+    fillTracked(named, log, starts, robots);
+    EXPECT_TRUE(starts[0].tracked.none());
+    for (std::size_t i = 1; i < robots.size(); ++i)
+        EXPECT_EQ(starts[i].tracked.offset(),
+                  TrackerHistory(*starts[i].trajectory, *named.forRobot(log.robots[robots[i]].robot))
+                      .at(50 * second)
+                      .offset());
+    EXPECT_NE(starts[1].tracked.offset(), starts[2].tracked.offset());
 }
 
 TEST(TrackerHistory, OfManyStartsIsThatOfEach) {
     const Trajectory one = trackedBy({-0.04, 0.03}), other = trackedBy({0.01, -0.02});
     std::vector<RolloutStart> starts;
     for (int i = 0; i < 6; ++i) starts.push_back({i % 2 == 0 ? &one : &other, (20 + 7 * i) * second});
-    fillTracked(starts);
+    fillTracked(obedient, starts);
     for (const RolloutStart& start : starts)
-        EXPECT_EQ(start.tracked.offset(), TrackerHistory(*start.trajectory).at(start.time).offset());
+        EXPECT_EQ(start.tracked.offset(), TrackerHistory(*start.trajectory, obedient).at(start.time).offset());
 }
 
 }  // namespace

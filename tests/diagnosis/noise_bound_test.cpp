@@ -46,8 +46,11 @@ ComparedRollout comparedWith(const Trajectory& trajectory, const std::vector<Pos
 /// So many runs of the robot itself.
 std::vector<std::vector<Pose>> ownRuns(const Trajectory& trajectory, const LearnedModel& model, std::size_t count) {
     std::vector<RolloutStart> starts(count, {&trajectory, 3 * second, {}, StampedVelocity{3 * second, {}}, tenSeconds});
-    for (std::size_t i = 0; i < count; ++i) starts[i].body = static_cast<std::uint32_t>(i);
-    return *rollOut(*model.drawn(MotionDraw::noisy), starts, {.seed = 4711});
+    for (std::size_t i = 0; i < count; ++i) {
+        starts[i].body = static_cast<std::uint32_t>(i);
+        starts[i].seed = 4711;
+    }
+    return *rollOut(*model.drawn(MotionDraw::noisy), starts);
 }
 
 TEST(NoiseBound, OneInAHundredOfARobotsOwnRunsLeaves) {

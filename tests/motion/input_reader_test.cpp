@@ -168,12 +168,15 @@ TEST(InputReader, WhatIsFollowedIsRememberedAsTheWholeHistoryTellsIt) {
         for (int i = 0; i < 100; ++i) {
             const Nanoseconds start = i * network.period;
             history.issue(start, {0.6 * uniformNoise({1, i, 0, 0}) - 0.2, normalNoise({1, i, 0, 1})});
-            std::array<double, 4> told{}, remembered{}, forgotten{};
+            std::array<double, 4> told{}, remembered{}, forgotten{}, recalled{};
             ofAll.readRaw({&history, start, velocity}, 0, told.data());
             reader.readRaw({&history, start, velocity}, 0, remembered.data(), &followed);
             reader.readRaw({&history, start, velocity}, 0, forgotten.data());
+            InputReader::Followed known = reader.followedFrom(history, start);
+            reader.readRaw({&history, start, velocity}, 0, recalled.data(), &known);
             for (std::size_t k = 0; k < told.size(); ++k) {
                 ASSERT_NEAR(remembered[k], told[k], 1e-12) << i << ", input " << k;
+                ASSERT_NEAR(recalled[k], told[k], 1e-12) << i << ", input " << k;
                 most = std::max(most, std::abs(forgotten[k] - told[k]));
             }
         }

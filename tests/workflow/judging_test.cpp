@@ -93,7 +93,13 @@ TEST_F(Judging, SamplesArePredictedOfTheInstantsAskedFor) {
     const auto predicted = predictWindows(request);
     ASSERT_TRUE(predicted) << predicted.error().message();
     EXPECT_EQ(std::count(predicted->csv.begin(), predicted->csv.end(), '\n'), 1 + 4 * 3 * 2);
-    EXPECT_EQ(firstLines(predicted->csv, 1), "dataset,robot,t_start,sample,t,x,y,heading,trajectory\n");
+    EXPECT_EQ(firstLines(predicted->csv, 1), "dataset,robot,t_start,sample,seed,t,x,y,heading,trajectory\n");
+    const auto again = predictWindows(request);
+    request.seed = 2;
+    const auto other = predictWindows(request);
+    ASSERT_TRUE(again && other);
+    EXPECT_EQ(again->csv, predicted->csv);
+    EXPECT_NE(other->csv, predicted->csv);
 }
 
 TEST_F(Judging, PredictionsDoNotReadWhatTheRobotDidAfterTheirStart) {
