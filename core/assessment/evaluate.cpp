@@ -3,23 +3,33 @@
 namespace mrose {
 namespace {
 
-/// Predicts with what the log shows of the tracked points before.
-Expected<std::vector<std::vector<Pose>>> rollOutTracked(const NamedModel& named, const Log& log,
-                                                        std::vector<RolloutStart> starts,
-                                                        std::span<const std::size_t> robots,
-                                                        const RolloutOptions& options) {
-    fillTracked(named, log, starts, robots);
-    return rollOut(named, log, starts, robots, options);
-}
+/// Predicts by one model, with what the log shows of the tracked points before.
+class LogPredictor {
+public:
+    LogPredictor(const NamedModel& named, const Log& log, Nanoseconds step) : named_(named), log_(log), step_(step) {}
 
-Expected<PercentErrors> errorsOnFloor(const NamedModel& named, const Log& log, const std::optional<Floor>& floor,
-                                      Nanoseconds step) {
+    Expected<std::vector<std::vector<Pose>>> predict(std::vector<RolloutStart> starts,
+                                                     std::span<const std::size_t> robots) {
+        fillTracked(named_, log_, starts, robots, histories_);
+        return rollOut(named_, log_, starts, robots, {.step = step_});
+    }
+    Expected<std::vector<std::vector<Pose>>> predict(std::span<const Window> windows) {
+        return predict(rolloutStarts(log_, windows), robotsOf(windows));
+    }
+
+private:
+    const NamedModel& named_;
+    const Log& log_;
+    Nanoseconds step_;
+    TrackerHistories histories_;
+};
+
+Expected<PercentErrors> errorsOnFloor(LogPredictor& predictor, const std::optional<Floor>& floor) {
     if (!floor || floor->pairs.empty()) return ErrorSums{}.percentErrors();
     std::vector<Window> stretches;
     for (const FloorPair& pair : floor->pairs)
         for (const Window* stretch : {&pair.first, &pair.second}) stretches.push_back(*stretch);
-    const auto predicted =
-        rollOutTracked(named, log, rolloutStarts(log, stretches), robotsOf(stretches), {.step = step});
+    const auto predicted = predictor.predict(stretches);
     if (!predicted) return tl::unexpected(predicted.error());
     ErrorSums sums;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
@@ -46,20 +56,19 @@ private:
 
 Expected<Assessment> evaluateModel(const NamedModel& named, const Log& log, const LogWindows& against,
                                    std::span<const RelativePieces> pieces, Steps& steps) {
-    const RolloutOptions options{.step = against.options.step};
-    auto predicted =
-        rollOutTracked(named, log, rolloutStarts(log, against.windows), robotsOf(against.windows), options);
+    LogPredictor predictor(named, log, against.options.step);
+    auto predicted = predictor.predict(against.windows);
     if (!predicted) return tl::unexpected(predicted.error());
     if (auto goesOn = steps.done(); !goesOn) return tl::unexpected(goesOn.error());
     Assessment model = assess(against, named.name, std::move(*predicted));
     for (const RelativePieces& piece : pieces) {
-        const auto ends = rollOutTracked(named, log, piece.starts, piece.robots, options);
+        const auto ends = predictor.predict(piece.starts, piece.robots);
         if (!ends) return tl::unexpected(ends.error());
         model.relative.push_back(relativePoseError(piece, *ends));
         if (auto goesOn = steps.done(); !goesOn) return tl::unexpected(goesOn.error());
     }
-    const auto onFloor = errorsOnFloor(named, log, against.floor, options.step);
-    const auto onTurning = errorsOnFloor(named, log, against.turningFloor, options.step);
+    const auto onFloor = errorsOnFloor(predictor, against.floor);
+    const auto onTurning = errorsOnFloor(predictor, against.turningFloor);
     if (!onFloor) return tl::unexpected(onFloor.error());
     if (!onTurning) return tl::unexpected(onTurning.error());
     model.onFloor = *onFloor;

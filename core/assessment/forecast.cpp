@@ -228,9 +228,10 @@ Expected<std::vector<Forecast>> forecast(const Log& log, const LogWindows& again
     for (std::size_t i = 0; i < starts.size(); ++i) starts[i].body = static_cast<std::uint32_t>(robots[i]);
     const RolloutOptions options{.step = against.options.step};
     std::vector<Forecast> forecasts;
+    TrackerHistories histories;
     for (std::size_t m = 0; m < models.size(); ++m) {
         Judge judge(against, models[m]);
-        fillTracked(models[m].mean, log, starts, robots);
+        fillTracked(models[m].mean, log, starts, robots, histories);
         for (std::size_t first = 0; first < starts.size(); first += groupSize) {
             const double share = static_cast<double>(first) / static_cast<double>(starts.size());
             if (!mayGoOn(progress, (static_cast<double>(m) + share) / static_cast<double>(models.size())))

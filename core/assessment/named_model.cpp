@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "assessment/tracker_history.h"
 #include "geometry/point.h"
 #include "world/seconds_text.h"
 
@@ -14,42 +13,26 @@ NamedModel NamedModel::same(std::string name, const MotionModel& model) {
     return {std::move(name), [&model](const std::string&) { return &model; }};
 }
 
-namespace {
-
-std::map<std::size_t, std::vector<std::size_t>> byRobot(std::span<const std::size_t> robots) {
-    std::map<std::size_t, std::vector<std::size_t>> indices;
-    for (std::size_t i = 0; i < robots.size(); ++i) indices[robots[i]].push_back(i);
-    return indices;
-}
-
-std::vector<RolloutStart> chosenOf(std::span<const RolloutStart> starts, const std::vector<std::size_t>& indices) {
-    std::vector<RolloutStart> chosen;
-    for (const std::size_t i : indices) chosen.push_back(starts[i]);
-    return chosen;
-}
-
-}  // namespace
-
 void fillTracked(const NamedModel& named, const Log& log, std::span<RolloutStart> starts,
-                 std::span<const std::size_t> robots) {
-    for (const auto& [robot, indices] : byRobot(robots)) {
-        const MotionModel* const model = named.forRobot(log.robots[robot].robot);
-        if (model == nullptr) continue;
-        std::vector<RolloutStart> chosen = chosenOf(starts, indices);
-        fillTracked(*model, chosen);
-        for (std::size_t k = 0; k < indices.size(); ++k) starts[indices[k]].tracked = chosen[k].tracked;
+                 std::span<const std::size_t> robots, TrackerHistories& histories) {
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const MotionModel* const model = named.forRobot(log.robots[robots[i]].robot);
+        if (model != nullptr) starts[i].tracked = histories.of(*starts[i].trajectory, *model).at(starts[i].time);
     }
 }
 
 Expected<std::vector<std::vector<Pose>>> rollOut(const NamedModel& named, const Log& log,
                                                  std::span<const RolloutStart> starts,
                                                  std::span<const std::size_t> robots, const RolloutOptions& options) {
+    std::map<std::size_t, std::vector<std::size_t>> byRobot;
+    for (std::size_t i = 0; i < starts.size(); ++i) byRobot[robots[i]].push_back(i);
     std::vector<std::vector<Pose>> result(starts.size());
-    for (const auto& [robot, indices] : byRobot(robots)) {
+    for (const auto& [robot, indices] : byRobot) {
         const std::string& robotName = log.robots[robot].robot;
         const MotionModel* model = named.forRobot(robotName);
         if (model == nullptr) return fail(named.name, "knows no robot " + robotName);
-        const std::vector<RolloutStart> chosen = chosenOf(starts, indices);
+        std::vector<RolloutStart> chosen;
+        for (const std::size_t i : indices) chosen.push_back(starts[i]);
         auto poses = rollOut(*model, chosen, options);
         if (!poses) return fail(named.name, poses.error().cause);
         for (std::size_t k = 0; k < indices.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/rollout.h"
+#include "assessment/tracker_history.h"
 #include "io/error.h"
 #include "logs/robot_log.h"
 #include "motion/motion_model.h"
@@ -25,7 +26,7 @@ struct NamedModel {
 /// Fills in RolloutStart::tracked, of each start with the model of its robot; `robots` are indices into log.robots.
 /// Starts of a robot that it does not know are left.
 void fillTracked(const NamedModel& model, const Log& log, std::span<RolloutStart> starts,
-                 std::span<const std::size_t> robots);
+                 std::span<const std::size_t> robots, TrackerHistories& histories);
 
 /// Rollouts of one named model, each start with the model of its robot; `robots` are indices into log.robots. Error: as
 /// for evaluate().

@@ -1,7 +1,6 @@
 #include "assessment/tracker_history.h"
 
 #include <algorithm>
-#include <map>
 
 #include "assessment/truth_jumps.h"
 #include "geometry/elementary.h"
@@ -86,10 +85,13 @@ TrackerEvidence TrackerHistory::at(Nanoseconds time) const {
     return evidence_[std::min(steps, evidence_.size() - 1)];
 }
 
+const TrackerHistory& TrackerHistories::of(const Trajectory& trajectory, const MotionModel& model) {
+    return known_.try_emplace({&trajectory, &model}, trajectory, model).first->second;
+}
+
 void fillTracked(const MotionModel& model, std::span<RolloutStart> starts) {
-    std::map<const Trajectory*, TrackerHistory> histories;
-    for (RolloutStart& start : starts)
-        start.tracked = histories.try_emplace(start.trajectory, *start.trajectory, model).first->second.at(start.time);
+    TrackerHistories histories;
+    for (RolloutStart& start : starts) start.tracked = histories.of(*start.trajectory, model).at(start.time);
 }
 
 }  // namespace mrose

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "assessment/rollout.h"
@@ -23,6 +25,15 @@ public:
 private:
     Nanoseconds first_ = 0;                  ///< when evidence_[0] was known
     std::vector<TrackerEvidence> evidence_;  ///< every 0.5 s
+};
+
+/// The histories of trajectories, each made when it is first asked for. The trajectories must stay.
+class TrackerHistories {
+public:
+    const TrackerHistory& of(const Trajectory& trajectory, const MotionModel& model);
+
+private:
+    std::map<std::pair<const Trajectory*, const MotionModel*>, TrackerHistory> known_;
 };
 
 /// Fills in RolloutStart::tracked for rollouts of this model.

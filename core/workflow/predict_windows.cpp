@@ -76,7 +76,8 @@ Expected<PredictedWindows> predictWindows(const PredictRequest& request, const P
     if (!starts) return tl::unexpected(starts.error());
     const bool sampled = request.samples > 0;
     const RobotModels models = learnedModels(*motion, *log, sampled ? MotionDraw::noisy : MotionDraw::mean);
-    fillTracked(named(models), *log, starts->starts, starts->robots);
+    TrackerHistories histories;
+    fillTracked(named(models), *log, starts->starts, starts->robots, histories);
     PredictionsCsv rows(*log, *starts, options.step, sampled, std::move(*instants));
     const int runs = std::max(1, request.samples);
     for (int k = 0; k <= runs; ++k) {

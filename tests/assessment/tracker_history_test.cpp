@@ -127,7 +127,8 @@ TEST(TrackerHistory, OfManyRobotsIsOfTheModelOfEach) {
     std::vector<RolloutStart> starts;
     std::vector<std::size_t> robots{2, 1, 0, 1};
     for (const std::size_t robot : robots) starts.push_back({&log.robots[robot].trajectories[0], 50 * second});
-    fillTracked(named, log, starts, robots);
+    TrackerHistories histories;
+    fillTracked(named, log, starts, robots, histories);
     EXPECT_TRUE(starts[0].tracked.none());
     for (std::size_t i = 1; i < robots.size(); ++i)
         EXPECT_EQ(starts[i].tracked.offset(),
