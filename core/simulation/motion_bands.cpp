@@ -99,7 +99,8 @@ std::optional<MotionBands> MotionSampler::bands(const WorldState& state, const O
     };
     if (!go(*scenario_, state, [&](std::size_t place, const Pose& pose) { around[place] = pose; })) return std::nullopt;
     for (std::size_t k = 0; k < runs; ++k)
-        if (!go(*drawn_, begin(state, k), [&](std::size_t place, const Pose& pose) { poses[place * runs + k] = pose; }))
+        if (!go(*drawn_, begin(state, options.seed + k),
+                [&](std::size_t place, const Pose& pose) { poses[place * runs + k] = pose; }))
             return std::nullopt;
     MotionBands bands{state.tick, every, {}};
     bands.regions.resize(robots);

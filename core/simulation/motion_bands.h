@@ -29,7 +29,7 @@ struct MotionBands {
 };
 
 /// Samples what may become of a run: the same world, but that robots whose learned motion is drawn as its mean draw its
-/// noise. Where that is drawn anyway, sample k is what step() makes of the state with seed k.
+/// noise. Where that is drawn anyway, a sample is what step() makes of the state with the sample's seed.
 class MotionSampler {
 public:
     /// `deciding`: of each robot whether its controller goes on deciding, as one does that plays a log; the others keep
@@ -48,7 +48,8 @@ public:
 
     struct Options {
         Nanoseconds ahead = 5 * nanosecondsPerSecond;
-        int samples = 64;                              ///< seeds 0, 1, ...
+        int samples = 64;
+        std::uint64_t seed = 0;                        ///< of the first sample; each has the next one
         Nanoseconds step = nanosecondsPerSecond / 10;  ///< from one instant to the next
     };
     /// nullopt: it did not go on. Errors are those from the run as it goes on with its own seed and draws.

@@ -148,7 +148,8 @@ TEST_F(RolloutBandsTest, BesideALogTheyBeginWithTheRollout) {
             for (auto& model : parts.scene.models) model = learnedModel(*model)->drawn(MotionDraw::noisy);
         const Scenario scenario(std::move(parts));
         WorldState state =
-            scenario.initialState(seed < 0 ? overlay.rollouts().log()->seed : static_cast<std::uint64_t>(seed));
+            scenario.initialState(seed < 0 ? overlay.rollouts().log()->seed
+                                           : sampleSeed(0, request.start, 0) + static_cast<std::uint64_t>(seed));
         StepBuffers buffers;
         for (int tick = 0; tick < 200; ++tick) step(scenario, state, buffers);
         const Pose& pose = state.robots[0].pose;
