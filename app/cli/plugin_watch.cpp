@@ -1,6 +1,5 @@
 #include "plugin_watch.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -24,7 +23,7 @@
 namespace mrose::cli {
 namespace {
 
-constexpr std::int64_t noTick = -1;
+constexpr std::int64_t noTick = -1, explaining = -2;
 
 /// What a thread is doing with a plug-in. Signal handlers read it, so that it holds nothing but lock-free numbers.
 struct Activity {
@@ -83,6 +82,8 @@ void say(const std::string& who, const Activity& activity, std::string_view what
     const std::int64_t tick = activity.tick;
     if (tick == noTick)
         line << " while it was loaded";
+    else if (tick == explaining)
+        line << " when it was asked to explain itself";
     else
         line << " at tick " << static_cast<std::uint64_t>(tick);
     const bool ofBatch = activity.ofBatch;
@@ -246,7 +247,7 @@ public:
     Attention attention() const override { return watched_->attention(); }
     void explain(std::span<const std::byte> memory, MemoryEntries& entries) const override {
         Activity& activity = activityOfThisThread();
-        activity.begin(&who_, std::max<std::int64_t>(0, activity.tick));  // its last decision's
+        activity.begin(&who_, explaining);
         watched_->explain(memory, entries);
         activity.end();
     }

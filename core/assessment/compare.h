@@ -32,7 +32,7 @@ struct ComparedRollout {
     RolloutUse use = RolloutUse::counted;
     /// Truth at the steps() + 1 instants, not a number where it is not known; what was measured at the start.
     Window real;
-    TrackerEvidence tracked = {};                       ///< from what was seen before the start
+    TrackerEvidence tracked = {};                       ///< from what was seen before the start, of the robot's model
     std::vector<std::size_t> jumps = {};                ///< steps, 1 ..., whose truth knows of a jump, ascending
     std::vector<Pose> simulated;                        ///< after each step: steps() poses; none of an absent robot
     WindowErrors errors;                                ///< not a number where the truth is not known

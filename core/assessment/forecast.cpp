@@ -177,7 +177,8 @@ Expected<GroupRollouts> rollOutGroup(const SampledModel& model, const Log& log, 
     std::vector<Expected<std::vector<std::vector<Pose>>>> drawn(static_cast<std::size_t>(model.samples));
     parallelFor(drawn.size(), [&](std::size_t k) {
         std::vector<RolloutStart> runs(starts.begin(), starts.end());
-        for (RolloutStart& run : runs) run.seed = sampleSeed(1, run.time, static_cast<std::uint32_t>(k));
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            runs[i].seed = sampleSeed(1, log.robots[robots[i]].robot, runs[i], static_cast<std::uint32_t>(k));
         drawn[k] = rollOut(model.noisy, log, runs, robots, options);
     });
     for (auto& sample : drawn) {
@@ -225,7 +226,6 @@ Expected<std::vector<Forecast>> forecast(const Log& log, const LogWindows& again
                                          std::span<const SampledModel> models, const Progress& progress) {
     std::vector<RolloutStart> starts = rolloutStarts(log, against.windows);
     const std::vector<std::size_t> robots = robotsOf(against.windows);
-    for (std::size_t i = 0; i < starts.size(); ++i) starts[i].body = static_cast<std::uint32_t>(robots[i]);
     const RolloutOptions options{.step = against.options.step};
     std::vector<Forecast> forecasts;
     TrackerHistories histories;

@@ -197,10 +197,20 @@ Expected<LogSession> LogWorld::sessionOf(const std::vector<std::size_t>& traject
     return session;
 }
 
-std::shared_ptr<const Controller> LogWorld::player(const RolloutStart& start, Nanoseconds duration, Attention reads) {
+void LogWorld::play(ScenarioParts& parts, std::size_t body, const RolloutStart& start, Nanoseconds duration,
+                    Attention reads) {
     std::vector<StampedCommand> commands = commandsRead(start, start.time + duration);
     for (StampedCommand& command : commands) command.time -= start.time;
-    return std::make_shared<const CommandPlayer>(commands, std::move(reads));
+    RolloutStart now = start;
+    fillVelocities(parts.scene.modelOf(body), {&now, 1});
+    SceneRobot& robot = parts.scene.robots[body];
+    robot.start = start.pose;
+    robot.velocity = now.velocity->velocity;
+    robot.tracked = start.tracked;
+    robot.sent = commands;
+    std::erase_if(robot.sent, [](const StampedCommand& command) { return command.time > 0; });
+    robot.phase = 0;
+    parts.controllers[body] = std::make_shared<const CommandPlayer>(commands, std::move(reads));
 }
 
 void LogWorld::gatherAll() {
@@ -222,15 +232,7 @@ LogWorld::OpenedParts LogWorld::partsAt(std::size_t session, Nanoseconds start, 
         removed[body] = !measured;
         opened.starts.push_back(measured ? std::optional(*measured) : std::nullopt);
         if (!measured) continue;
-        fillVelocities(parts.scene.modelOf(body), {&*measured, 1});
-        SceneRobot& robot = parts.scene.robots[body];
-        robot.start = measured->pose;
-        robot.velocity = measured->velocity->velocity;
-        robot.tracked = measured->tracked;
-        robot.phase = 0;
-        robot.sent = commandsRead(*measured, now);
-        for (StampedCommand& command : robot.sent) command.time -= now;
-        parts.controllers[body] = player(*measured, duration, parts.controllers[body]->attention());
+        play(parts, body, *measured, duration, parts.controllers[body]->attention());
     }
     const std::vector<std::size_t> bodies = removeRobots(parts, removed);
     for (const ComparedRobot& robot : robots_) opened.bodies.push_back(bodies[robot.body]);

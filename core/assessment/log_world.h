@@ -76,8 +76,8 @@ public:
     /// then; the other bodies begin as the scenario says.
     Opened openAt(std::size_t session, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const;
 
-    /// What that world is made of, for callers that change something in it. The scene has the velocities that
-    /// fillVelocities() makes of the measured ones in `starts`.
+    /// What that world is made of, for callers that change something in it. Its bodies play() the
+    /// starts.
     struct OpenedParts {
         ScenarioParts parts;
         std::vector<std::optional<RolloutStart>> starts;  ///< as in Opened
@@ -85,10 +85,10 @@ public:
     };
     OpenedParts partsAt(std::size_t session, Nanoseconds start, Nanoseconds duration) const;
 
-    /// A controller that issues the commands of its start's trajectory, for `duration`, on a clock that begins at the
-    /// start; what it reads changes none of them.
-    static std::shared_ptr<const Controller> player(const RolloutStart& start, Nanoseconds duration,
-                                                    Attention reads = Attention::ofItself());
+    /// Lets a body of `parts` begin as `start` says, as fast as its model makes of that, and play the commands of the
+    /// start's trajectory for `duration`. What its player reads changes none of them.
+    static void play(ScenarioParts& parts, std::size_t body, const RolloutStart& start, Nanoseconds duration,
+                     Attention reads = Attention::ofItself());
 
 private:
     LogWorld(ScenarioParts parts, std::shared_ptr<const Log> log) : parts_(std::move(parts)), log_(std::move(log)) {}

@@ -66,6 +66,10 @@ Expected<RolloutStart> startOf(const RobotLog& robot, const WindowRequest& reque
         if (!request.trajectory.empty() && trajectory.name != request.trajectory) continue;
         if (const auto start = measureStart(trajectory, request.start, steps)) candidates.push_back(*start);
     }
+    if (!request.trajectory.empty() &&
+        std::ranges::none_of(robot.trajectories, [&](const Trajectory& t) { return t.name == request.trajectory; }))
+        return fail(fileName, "robot " + request.robot + " has no trajectory " + request.trajectory, request.line,
+                    "trajectory");
     const std::string when = "robot " + request.robot + " at " + secondsText(request.start) + " s";
     if (candidates.empty())
         return fail(fileName, "no ground truth of " + when + " to start from", request.line, "t_start");
@@ -139,7 +143,6 @@ Expected<RequestedStarts> requestedStarts(const Log& log, std::span<const Window
         const auto start = startOf(log.robots[*robot], request, steps, fileName);
         if (!start) return tl::unexpected(start.error());
         requested.starts.push_back(*start);
-        requested.starts.back().body = static_cast<std::uint32_t>(*robot);
         requested.robots.push_back(*robot);
     }
     return requested;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "io/format.h"
+#include "io/value_bytes.h"
 #include "world/noise.h"
 #include "world/noise_channel.h"
 #include "world/seconds_text.h"
@@ -109,8 +110,10 @@ void rollOutBatch(const MotionModel& model, std::span<const RolloutStart> starts
 
 }  // namespace
 
-std::uint32_t sampleSeed(std::uint64_t seed, Nanoseconds time, std::uint32_t sample) {
-    return static_cast<std::uint32_t>(noiseBits({seed, time, sample, channelOf(NoiseChannel::sample)}));
+std::uint32_t sampleSeed(std::uint64_t seed, const std::string& robot, const RolloutStart& start,
+                         std::uint32_t sample) {
+    const std::uint64_t of = hashOf(Value(robot + '\n' + start.trajectory->name));
+    return static_cast<std::uint32_t>(noiseBits({seed ^ of, start.time, sample, channelOf(NoiseChannel::sample)}));
 }
 
 std::vector<StampedCommand> commandsRead(const RolloutStart& start, Nanoseconds until, const RolloutOptions& options) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geometry/tracker_offset.h"
@@ -27,9 +28,10 @@ struct RolloutStart {
     std::optional<std::uint64_t> seed = std::nullopt;  ///< of the run in which noise is drawn; none: the mean is wanted
 };
 
-/// Of the run that is sample `sample` of what begins at `time`. Samples have nothing in common with each other, nor
-/// with those that begin at another time: what they happen to be is no more often too wide than too narrow.
-std::uint32_t sampleSeed(std::uint64_t seed, Nanoseconds time, std::uint32_t sample);
+/// Of the run that is one sample of what a robot of a log does from `start` on. Samples have nothing in common with
+/// those of other starts, so that what is by chance too wide in one is too narrow in another. It does not depend on
+/// which other robots and starts there are.
+std::uint32_t sampleSeed(std::uint64_t seed, const std::string& robot, const RolloutStart& start, std::uint32_t sample);
 
 struct RolloutOptions {
     Nanoseconds step = 100'000'000;          ///< of the output; a whole multiple of the model's period

@@ -16,7 +16,7 @@ constexpr double forgetting = 60;  // s
 /// From an instant of the grid until it is known: poses that are part of its truth come by then, or there is none.
 constexpr Nanoseconds untilKnown = truthGap;
 
-/// Poses `step` apart: by how much the last point lies sideways of the way that leads there, beyond what arcs do.
+/// By how much these poses move sideways in sum, beyond what arcs do.
 double sidewaysOfWay(const Pose& start, std::span<const Pose> poses) {
     double sideways = 0;
     Pose before = start;

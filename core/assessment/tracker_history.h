@@ -14,7 +14,7 @@ namespace mrose {
 /// What the ground truth of a trajectory says of where the tracked point lies on the robot, beyond what a model of it
 /// knows, as time goes on: how far the point moved sideways in steps of 0.5 s, less what the model expects of each.
 /// What is a minute old counts 1/e as much. (README.md says how these were chosen.) A step in which the truth jumps or
-/// is not known says nothing.
+/// is not known says nothing. Nothing does where 0.1 s is no whole number of the model's periods.
 class TrackerHistory {
 public:
     TrackerHistory(const Trajectory& trajectory, const MotionModel& model);
@@ -27,7 +27,7 @@ private:
     std::vector<TrackerEvidence> evidence_;  ///< every 0.5 s
 };
 
-/// The histories of trajectories, each made when it is first asked for. The trajectories must stay.
+/// The histories of trajectories, each made when it is first asked for. Trajectories and models must stay.
 class TrackerHistories {
 public:
     const TrackerHistory& of(const Trajectory& trajectory, const MotionModel& model);

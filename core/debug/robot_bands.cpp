@@ -18,7 +18,8 @@ std::optional<MotionBands> rolloutBands(const PlayedLog& log, const RolloutReque
     MotionSampler::Options options;
     options.ahead = std::min<Nanoseconds>(longest, rollout.steps * WindowOptions{}.step);
     // All rollouts begin at tick 0: with the same seeds they would have the same draws.
-    options.seed = sampleSeed(0, rollout.start, 0);
+    options.seed = sampleSeed(0, log.world().sessions()[rollout.session].name,
+                              {.trajectory = &log.world().trajectory(rollout.session, 0), .time = rollout.start}, 0);
     const LogWorld::Opened opened = log.world().openAt(rollout.session, rollout.start, options.ahead, log.seed);
     return samplerOf(opened.scenario).bands(opened.state, options, goesOn);
 }

@@ -15,6 +15,7 @@ using At = DivergenceBound::At;
 std::vector<std::vector<At>> deviationsOf(const LearnedModel& model, const RolloutStart& start, int runs,
                                           Nanoseconds step) {
     std::vector<RolloutStart> starts(static_cast<std::size_t>(runs), start);
+    // Of all rollouts the same, so that bounds differ by what is driven alone.
     for (std::size_t run = 0; run < starts.size(); ++run) {
         starts[run].body = static_cast<std::uint32_t>(run);
         starts[run].seed = 0;

@@ -75,9 +75,7 @@ RolloutRerun::Poses RolloutRerun::withCommands(const std::function<void(Trajecto
         Trajectory edited = commandsAround(trajectory(), start.time, start.time + duration);
         edit(edited);
         start.trajectory = &edited;
-        opened.parts.controllers[body] = LogWorld::player(start, duration);
-        fillVelocities(opened.parts.scene.modelOf(body), {&start, 1});
-        opened.parts.scene.robots[body].velocity = start.velocity->velocity;
+        LogWorld::play(opened.parts, body, start, duration);
     });
 }
 
@@ -135,6 +133,7 @@ RolloutRerun::Poses RolloutRerun::movedBy(const std::shared_ptr<const MotionMode
         RolloutStart start = *opened.starts[rollout_.robot];
         fillVelocities(*model, {&start, 1});
         scene.robots[body].velocity = start.velocity->velocity;
+        scene.robots[body].tracked = TrackerHistory(trajectory(), *model).at(start.time);
         const MotionNoise noise = noiseOf(scene.modelOf(body));
         scene.robots[body].model = static_cast<std::uint32_t>(scene.models.size());
         scene.models.push_back(withNoise(model, noise));

@@ -31,7 +31,8 @@ public:
     /// The instant of which a period's inputs need to know what is followed.
     Nanoseconds beginOf(const MotionInput& input) const { return input.start - fromSeconds(oldest_); }
 
-    /// What it follows there in a period that begins at `start`, told from the commands of 3 s (commandsKnownBefore).
+    /// What it follows at beginOf() the period that begins at `start`, told from the commands of 3 s
+    /// (commandsKnownBefore).
     Followed followedFrom(const CommandView& commands, Nanoseconds start) const;
 
     /// How far before a period's start it may read commands. Of a drive that ramps so far only where nothing is

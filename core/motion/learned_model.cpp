@@ -64,7 +64,7 @@ struct NoiseMemory {
     float forward = 0, heading = 0;  ///< the mean's increment of the period before
 };
 
-/// Never 0.
+/// Never 0, which is at no time.
 std::uint32_t lowerBits(Nanoseconds time) { return std::max(1U, static_cast<std::uint32_t>(time / 1000)); }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct SceneRobot {
     std::int64_t phase = 0;   ///< tick of its first control instant
     Pose start;
     Velocity velocity = {};        ///< at the start, as its model reads it
-    TrackerEvidence tracked = {};  ///< what was seen of a real one before: MotionModel::adapt
+    TrackerEvidence tracked = {};  ///< what was seen of a real one before, beyond its model: MotionModel::adapt
     /// What a real one was sent before, at times up to 0, that of the start: MotionModel::recall.
     std::vector<StampedCommand> sent = {};
     /// Where others were left out: its place among all, by which people, colours and conditions know it.

@@ -83,8 +83,11 @@ Expected<PredictedWindows> predictWindows(const PredictRequest& request, const P
     for (int k = 0; k <= runs; ++k) {
         if (!mayGoOn(progress, static_cast<double>(k) / runs)) return fail(log->source, "was not predicted: cancelled");
         if (k == runs) break;
-        for (RolloutStart& start : starts->starts)
-            if (sampled) start.seed = sampleSeed(request.seed, start.time, static_cast<std::uint32_t>(k));
+        for (std::size_t i = 0; sampled && i < starts->starts.size(); ++i) {
+            RolloutStart& start = starts->starts[i];
+            start.seed =
+                sampleSeed(request.seed, log->robots[starts->robots[i]].robot, start, static_cast<std::uint32_t>(k));
+        }
         const auto predicted = rollOut(named(models), *log, starts->starts, starts->robots, options);
         if (!predicted) return tl::unexpected(predicted.error());
         rows.add(*predicted, k);

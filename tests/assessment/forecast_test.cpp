@@ -57,12 +57,12 @@ double energyByHand(const std::vector<Point>& samples, const Point& real) {
     return errors - pairs / 2;
 }
 
-TEST_F(ForecastTest, ScoresAreThoseOfTheRunsWithEachSeed) {
+TEST_F(ForecastTest, ScoresAreThoseOfTheRunsOfEachSample) {
     const NoisyModel noisy(mean_, straying);
     std::vector<RolloutStart> starts = rolloutStarts(log_, windows_.windows);
     std::vector<std::vector<std::vector<Pose>>> runs;
     for (std::uint32_t sample = 0; sample < 8; ++sample) {
-        for (RolloutStart& start : starts) start.seed = sampleSeed(1, start.time, sample);
+        for (RolloutStart& start : starts) start.seed = sampleSeed(1, log_.robots[0].robot, start, sample);
         runs.push_back(*rollOut(noisy, starts));
     }
     const Forecast found = forecastWith(straying, 8);
@@ -93,24 +93,42 @@ TEST_F(ForecastTest, ScoresAreThoseOfTheRunsWithEachSeed) {
 }
 
 /// Else what the draws of some samples happen to be would be taken for the noise.
-TEST_F(ForecastTest, SamplesOfWindowsHaveNothingInCommon) {
+TEST_F(ForecastTest, SamplesOfStartsHaveNothingInCommon) {
     const NoisyModel noisy(mean_, straying);
+    Trajectory other = log_.robots[0].trajectories[0];
+    other.name = "another";
     std::vector<RolloutStart> starts = rolloutStarts(log_, windows_.windows);
-    double products = 0, squares = 0, count = 0;
+    const std::size_t windows = starts.size();
+    for (std::size_t w = 0; w < windows; ++w) {  // at the same time: of another trajectory, and of another robot
+        starts.push_back(starts[w]);
+        starts.back().trajectory = &other;
+        starts.push_back(starts[w]);
+    }
+    const auto robotOf = [&](std::size_t i) { return i >= windows && (i - windows) % 2 == 1 ? "other" : "r"; };
+    std::vector<std::vector<double>> turned(starts.size());
     for (std::uint32_t sample = 0; sample < 16; ++sample) {
-        for (RolloutStart& start : starts) start.seed = sampleSeed(1, start.time, sample);
+        for (std::size_t i = 0; i < starts.size(); ++i) starts[i].seed = sampleSeed(1, robotOf(i), starts[i], sample);
         const auto poses = rollOut(noisy, starts), means = rollOut(*mean_, starts);
         ASSERT_TRUE(poses && means);
-        double before = 0;
-        for (std::size_t w = 0; w < starts.size(); ++w) {
-            const double turned = (*poses)[w].back().heading - (*means)[w].back().heading;
-            products += w > 0 ? turned * before : 0;
-            squares += turned * turned;
-            count += 1;
-            before = turned;
-        }
+        for (std::size_t i = 0; i < starts.size(); ++i)
+            turned[i].push_back((*poses)[i].back().heading - (*means)[i].back().heading);
     }
-    EXPECT_LT(std::abs(products / squares), 4 / std::sqrt(count));
+    const auto correlation = [&](auto first, auto second) {
+        double products = 0, squares = 0;
+        for (std::size_t w = 0; w + 1 < windows; ++w)
+            for (std::size_t k = 0; k < turned[w].size(); ++k) {
+                const double a = turned[first(w)][k], b = turned[second(w)][k];
+                products += a * b;
+                squares += (a * a + b * b) / 2;
+            }
+        return products / squares;
+    };
+    const double chance = 4 / std::sqrt(16.0 * static_cast<double>(windows - 1));
+    const auto itself = [](std::size_t w) { return w; };
+    EXPECT_LT(std::abs(correlation(itself, [](std::size_t w) { return w + 1; })), chance);
+    EXPECT_LT(std::abs(correlation(itself, [&](std::size_t w) { return windows + 2 * w; })), chance);
+    EXPECT_LT(std::abs(correlation(itself, [&](std::size_t w) { return windows + 2 * w + 1; })), chance);
+    EXPECT_NEAR(correlation(itself, itself), 1, 1e-12);
 }
 
 TEST_F(ForecastTest, WhoKnowsTheNoiseIsCalibratedAndHasTheBestScores) {

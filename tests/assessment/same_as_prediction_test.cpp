@@ -146,7 +146,7 @@ TEST(SameAsPrediction, WhereTheStartsVelocityIsUnknownAndWhereTheCommandWasLongI
     }
 }
 
-/// Sample k of a prediction is the run with seed k.
+/// A sample of a prediction is the run with its seed.
 TEST(SameAsPrediction, OfARunWithItsNoiseForAnySeed) {
     const Log log = shippedLog();
     auto network = loadNetwork(sourceFolder() / "nets" / "create.net");

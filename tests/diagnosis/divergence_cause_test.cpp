@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "assessment/played_scenarios.h"
+#include "assessment/test_models.h"
+#include "assessment/tracker_history.h"
 #include "diagnosis/command_jumps.h"
 #include "diagnosis/compared_divergences.h"
 #include "diagnosis/divergence_text.h"
@@ -16,6 +18,7 @@
 #include "diagnosis/rollout_rerun.h"
 #include "learning/parallel_for.h"
 #include "motion/kinematic.h"
+#include "support/places.h"
 #include "support/units.h"
 
 namespace mrose {
@@ -140,6 +143,43 @@ TEST(RolloutRerun, LaterCommandsAreTheSameDriveLater) {
         EXPECT_NEAR(later[k].x, same[k - 2].x, 1e-9) << k;
         EXPECT_NEAR(later[k].heading, same[k - 2].heading, 1e-9) << k;
     }
+}
+
+/// What it follows where it begins is told from the changed commands, and where its tracked point lies from the other
+/// model.
+TEST(RolloutRerun, OfADriveThatRampsIsThePredictionWithTheSameChange) {
+    auto network = loadNetwork(sourceFolder() / "nets" / "pioneer.net");
+    ASSERT_TRUE(network) << network.error().message();
+    network->limits = {0.3, 3, 0.5, 0.18, 0.5};
+    const auto modelOf = [](const MotionNetwork& of) {
+        return std::make_shared<const LearnedModel>(std::make_shared<const LearnedMotion>(of), "any");
+    };
+    const auto model = modelOf(*network);
+    network->limits.accelerationV = 0.6;
+    const auto other = modelOf(*network);
+    Trajectory driven = obedientTrajectory(0, 30 * second, [](double t) {
+        return Command{std::fmod(t, 1.7) < 0.8 ? 0.5 : -0.1, std::sin(7 * t)};
+    });
+    for (StampedPose& pose : driven.poses) pose.pose = pose.pose * Pose{0.05, 0, 0};
+    const Log log = logOf({driven});
+    const auto world = LogWorld::create(playersOf(log, model), std::make_shared<const Log>(log));
+    ASSERT_TRUE(world) << world.error().message();
+    const RolloutRequest request{0, 20 * second + 271'828'182, 40};
+    const auto comparison = compare(*world, {&request, 1});
+    ASSERT_TRUE(comparison) << comparison.error().message();
+    const RolloutRerun rerun(*world, request, comparison->rollouts[0], RolloutOptions{}.step, 40, 1);
+    const auto predicted = [&](const MotionModel& by, Nanoseconds later) {
+        auto start = *measureStart(rerun.trajectory(), request.start, 40);
+        fillTracked(by, {&start, 1});
+        Trajectory changed = rerun.trajectory();
+        for (StampedCommand& command : changed.commands) command.time += later;
+        start.trajectory = &changed;
+        return rollOut(by, {&start, 1})->front();
+    };
+    EXPECT_EQ(rerun.later(0), predicted(*model, 0));
+    EXPECT_EQ(rerun.later(400 * ms), predicted(*model, 400 * ms));
+    EXPECT_EQ(rerun.movedBy(other), predicted(*other, 0));
+    EXPECT_NE(rerun.movedBy(other), rerun.later(0));
 }
 
 TEST(RolloutRerun, HoldingTheCommandBeforeIsTheSameDriveLater) {

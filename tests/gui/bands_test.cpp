@@ -137,6 +137,10 @@ TEST_F(RolloutBandsTest, BesideALogTheyBeginWithTheRollout) {
     // Runs of the same rollout, whose robots draw what their network knows of its noise and are given the log's
     // commands.
     const RolloutRequest& request = overlay.rollouts().requests()[*overlay.rollouts().shown()];
+    const LogWorld& world = overlay.rollouts().world();
+    const std::uint64_t first =
+        sampleSeed(0, world.sessions()[request.session].name,
+                   {.trajectory = &world.trajectory(request.session, 0), .time = request.start}, 0);
     std::vector<Pose> samples;
     Pose around;
     for (int seed = -1; seed < MotionSampler::Options{}.samples; ++seed) {
@@ -148,8 +152,7 @@ TEST_F(RolloutBandsTest, BesideALogTheyBeginWithTheRollout) {
             for (auto& model : parts.scene.models) model = learnedModel(*model)->drawn(MotionDraw::noisy);
         const Scenario scenario(std::move(parts));
         WorldState state =
-            scenario.initialState(seed < 0 ? overlay.rollouts().log()->seed
-                                           : sampleSeed(0, request.start, 0) + static_cast<std::uint64_t>(seed));
+            scenario.initialState(seed < 0 ? overlay.rollouts().log()->seed : first + static_cast<std::uint64_t>(seed));
         StepBuffers buffers;
         for (int tick = 0; tick < 200; ++tick) step(scenario, state, buffers);
         const Pose& pose = state.robots[0].pose;

@@ -126,7 +126,9 @@ TEST_F(PluginProgram, CrashEndsTheRunAndKeepsTheRecording) {
 /// What it is asked for in the course of a run is not taken for its loading.
 TEST_F(PluginProgram, CrashWhenAskedToExplainIsNamed) {
     EXPECT_EQ(run(how("crash when asked to explain")).err,
-              "mrose: " + who_ + " crashed at tick 0 (segmentation fault); with --isolate only its robot stops\n");
+              "mrose: " + who_ +
+                  " crashed when it was asked to explain itself (segmentation fault); with --isolate only its robot "
+                  "stops\n");
 }
 
 /// What takes its time and returns is not taken for stuck, however often it does.

@@ -118,6 +118,12 @@ TEST(LogExcerpt, ScenarioKeepsItAndLoadsItWithoutTheLog) {
     ASSERT_TRUE(again) << again.error().message();
     EXPECT_EQ(again->value, loaded->value);
     EXPECT_EQ(again->parts.scene.robots[1].start, loaded->parts.scene.robots[1].start);
+    for (const auto* const parts : {&loaded->parts, &again->parts}) {
+        const std::vector<StampedCommand>& sent = parts->scene.robots[1].sent;
+        ASSERT_FALSE(sent.empty());
+        EXPECT_LT(sent.front().time, -nanosecondsPerSecond) << "also those before the start";
+        EXPECT_LE(sent.back().time, 0);
+    }
 
     DiskDescriptions other({sourceFolder(), {}, (folder.path() / "none.csv").string()});
     EXPECT_EQ(loadScenario(name, other).error().message(), (folder.path() / "none.csv").string() + ": does not exist")
