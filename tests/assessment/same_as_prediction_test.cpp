@@ -23,13 +23,14 @@ struct Equality {
 /// Each rollout up to the instant at which contact takes its robot off its way.
 Equality expectEqual(const Log& log, const Models& models, const Comparison& comparison) {
     Equality equality;
+    TrackerHistories histories;
     const Nanoseconds step = RolloutOptions{}.step;
     for (const ComparedRollout& rollout : comparison.rollouts) {
         if (rollout.use == RolloutUse::absent) continue;
         const Trajectory& trajectory = log.robots[rollout.real.robot].trajectories[rollout.real.trajectory];
         auto start = measureStart(trajectory, rollout.real.start, static_cast<int>(rollout.simulated.size()));
         EXPECT_TRUE(start);
-        if (start) fillTracked(*models[rollout.real.robot], {&*start, 1});
+        if (start) start->tracked = histories.of(trajectory, *models[rollout.real.robot]).at(start->time);
         const auto predicted = rollOut(*models[rollout.real.robot], {&*start, 1});
         EXPECT_TRUE(predicted) << predicted.error().message();
         if (!start || !predicted) continue;
