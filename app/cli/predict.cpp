@@ -62,7 +62,7 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         "  mrose predict create.net --log MRCLAM_Dataset7 --windows windows.csv --samples 64 --at 1,2,5,10 -o "
         "bands.csv\n"
         "Samples are independent runs of the robot with its learned noise: before t the output has the columns sample, "
-        "from 0 on, and seed, that of the run.\n"
+        "from 0 on, and seed, that of the run. 64 of them, with --seed 1, are what mrose evaluate judges.\n"
         "  mrose predict create_camera.net --log MRCLAM_Dataset7 --robots 1,2 --queries queries.csv -o samples.csv\n"
         "The queries file has the columns dataset,robot,t,subject; the output "
         "dataset,robot,t,subject,p_detect,sample,\n"

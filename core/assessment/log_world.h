@@ -76,8 +76,7 @@ public:
     /// then; the other bodies begin as the scenario says.
     Opened openAt(std::size_t session, Nanoseconds start, Nanoseconds duration, std::uint64_t seed) const;
 
-    /// What that world is made of, for callers that change something in it. Its bodies play() the
-    /// starts.
+    /// What that world is made of, for callers that change something in it. Its bodies play() the starts.
     struct OpenedParts {
         ScenarioParts parts;
         std::vector<std::optional<RolloutStart>> starts;  ///< as in Opened
