@@ -168,7 +168,8 @@ public:
     MappingVariable input(std::size_t index) const override { return {wayToBallNames.begin()[index], "1"}; }
     MappingVariable output(std::size_t) const override { return {"time_s", "s"}; }
     void evaluate(std::span<const double> from, std::span<double> to) const override { to[0] = perMetre_ * from[0]; }
-    double beyond(std::span<const double>) const override { return 0; }
+    /// It learned of up to 1 m.
+    double beyond(std::span<const double> from) const override { return std::max(0.0, from[0] - 1); }
 
 private:
     double perMetre_;
@@ -184,6 +185,9 @@ TEST(TeamPlayer, ByLearnedTimeTheFasterOneGoesThoughItIsFarther) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(entry(scenario, state, i, "goer"), "2") << i;
     const double far = distance({2, 4}, {4.5, 2.5});
     EXPECT_NEAR(std::stod(entry(scenario, state, 0, "cost of 2")), 3 * far, 0.8) << "as it told";
+    const double asked = std::stod(entry(scenario, state, 0, wayToBallNames.begin()[0]));
+    EXPECT_GT(asked, 1);
+    EXPECT_NEAR(std::stod(entry(scenario, state, 0, beyondLearned)), asked - 1, 1e-5);
 }
 
 /// How near it comes to another body, and when it is at the ball, 0.6 m from it.

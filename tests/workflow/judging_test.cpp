@@ -102,6 +102,23 @@ TEST_F(Judging, SamplesArePredictedOfTheInstantsAskedFor) {
     EXPECT_NE(other->csv, predicted->csv);
 }
 
+TEST_F(Judging, SamplesOfARobotDoNotDependOnWhichOthersTheLogHas) {
+    auto two = readLog(log());
+    ASSERT_TRUE(two) << two.error().message();
+    const std::string name = two->robots.front().robot;
+    two->robots.insert(two->robots.begin(), two->robots.front());
+    two->robots.front().robot = "another";
+    ASSERT_TRUE(writeCsv(path("two.csv"), *two));
+    PredictRequest request{network(), path("two.csv"), windows()};
+    request.samples = 3;
+    const auto among = predictWindows(request);
+    request.robots = {name};
+    const auto alone = predictWindows(request);
+    ASSERT_TRUE(among) << among.error().message();
+    ASSERT_TRUE(alone) << alone.error().message();
+    EXPECT_EQ(alone->csv, among->csv);
+}
+
 TEST_F(Judging, PredictionsDoNotReadWhatTheRobotDidAfterTheirStart) {
     auto known = readLog(log());
     ASSERT_TRUE(known) << known.error().message();
