@@ -203,6 +203,7 @@ std::string meanings(const Validation& validation) {
     list += definition("shares",
                        "Of yes and no: Wilson’s interval; where trials have several seeds their runs count as "
                        "fewer, as far as they are alike.");
+    list += definition("left out", "Trials of which not all runs gave a number for the measure.");
     list += definition("worse, better",
                        "By how much the same controller does worse in the reality, or better: paired by trial, too.");
     return cat(heading("What the numbers mean"), element("dl", "", list));
