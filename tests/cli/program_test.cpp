@@ -90,6 +90,12 @@ TEST_F(Program, WrongUsageIsOneLineAndStatusTwo) {
     EXPECT_EQ(listing(), std::vector<std::string>{"log.csv"});
 }
 
+TEST_F(Program, SeedOfAPredictionNeedsSamples) {
+    const std::vector<std::string> words{"predict", "a",  "--log",   "b",      "--windows",
+                                         "c",       "-o", path("x"), "--seed", "2"};
+    expectOneLine(runMrose(words), {"--seed requires --samples"}, 2);
+}
+
 TEST_F(Program, NoNumberIsNoValueOfAnyFlag) {
     auto training = trainWords(path("x.net")), evaluation = std::vector<std::string>{"evaluate", "a", "--log", "b"},
          prediction = std::vector<std::string>{"predict", "a", "--log", "b", "--windows", "c", "-o", path("x")},
