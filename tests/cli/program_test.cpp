@@ -347,6 +347,8 @@ TEST_F(Program, ProgressGoesToStandardErrorUnlessQuiet) {
     const ProgramResult loud = runMrose(trainWords(path("b.net")));
     EXPECT_NE(loud.err.find("epoch 10: loss "), std::string::npos) << loud.err;
     EXPECT_NE(loud.err.find("left"), std::string::npos) << loud.err;
+    EXPECT_NE(loud.err.find("network 1 of "), std::string::npos) << loud.err;
+    EXPECT_NE(loud.err.find(" for the noise), epoch "), std::string::npos) << loud.err;
     EXPECT_EQ(loud.out.find("epoch 10"), std::string::npos);
     std::vector<std::string> longer = trainWords(path("b.net"));
     for (const auto& [flag, value] :
