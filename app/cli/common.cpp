@@ -98,9 +98,11 @@ bool LearningDisplay::operator()(double share) {
 }
 
 std::string durationText(double seconds) {
-    const long whole = std::lround(seconds);
+    const long whole = std::lround(seconds), milliseconds = std::lround(1000 * seconds);
     char text[48];
-    if (whole < 60)
+    if (milliseconds < 1000)
+        std::snprintf(text, sizeof text, "%ld ms", milliseconds);
+    else if (whole < 60)
         std::snprintf(text, sizeof text, "%ld s", whole);
     else
         std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);

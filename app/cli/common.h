@@ -109,7 +109,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// "2 min 05 s"
+/// "2 min 05 s", "12 s", "340 ms"
 std::string durationText(double seconds);
 
 /// A table of text with aligned columns, numbers to the right: what programs print for people.

@@ -27,7 +27,7 @@ void printChoice(const TaskData& data, const TaskJudgement& judgement) {
             table.add({"chosen by " + predictor.name, decimals(predictor.choice->mean, 3), "", "", "", ""});
     if (choice.oracle) table.add({"best of each trial", decimals(choice.oracle->mean, 3), "", "", "", ""});
     std::fputs(table.text().c_str(), stdout);
-    std::printf("%s every variant alone; best alone, in the trials learned from: %s\n",
+    std::printf("%s every variant alone by more than chance (95 %%); best alone, in the trials learned from: %s\n",
                 choice.beatsAll() ? "better than" : "not better than", choice.variants[choice.best].name.c_str());
     if (choice.oracle)
         std::printf(
@@ -43,14 +43,14 @@ std::string leftOut(const TaskData& data) {
     if (data.variants.empty()) {
         for (const auto& [count, why] :
              {std::pair(data.unfinished, "not ended by `until`"), std::pair(data.faulty, "ended by a fault"),
-              std::pair(data.unknown, "without numbers")})
+              std::pair(data.unknown, "as the target or an input is not a number")})
             if (count > 0) all += "; " + std::to_string(count) + " left out, " + why;
     } else if (data.unknown > 0) {
         all = "; " + counted(static_cast<std::size_t>(data.unknown), "trial") + " left out";
         std::string runs;
         if (data.unfinished > 0) runs = "runs not ended by `until`: " + std::to_string(data.unfinished);
         if (data.faulty > 0) runs += (runs.empty() ? "runs " : ", ") + ("with faults: " + std::to_string(data.faulty));
-        if (!runs.empty()) all += " (" + runs + ')';
+        all += " (" + (runs.empty() ? "the target or an input is not a number" : runs) + ')';
     }
     return all;
 }

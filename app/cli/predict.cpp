@@ -98,6 +98,11 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
         ->delimiter(',')
         ->excludes(queries);
     addSeed(*sub, common);
+    sub->callback([sub, queries] {
+        // A sensor is always sampled.
+        if (sub->count("--seed") > 0 && sub->count("--samples") == 0 && queries->empty())
+            throw CLI::RequiresError("--seed", "--samples");
+    });
     return {sub, [request, readings, samples, windows, queries, &common] {
                 if (*queries) {
                     readings->network = request->network;

@@ -223,12 +223,15 @@ public:
         const int tenth = static_cast<int>(10 * done / p.members);
         if (line_.terminal() || tenth != shownTenth_) {
             shownTenth_ = tenth;
+            const std::string noise = p.ofNoise ? " (for the noise)"
+                                      : p.membersOfNoise > 0
+                                          ? " (" + std::to_string(p.membersOfNoise) + " for the noise)"
+                                          : "";
             char text[200];
             std::snprintf(text, sizeof text,
                           "network %d of %d%s, epoch %d: loss %.3e, held out P %.2f %% Hd %.2f %%, at most %s left",
-                          p.member + 1, p.members, p.ofNoise ? " (for the noise)" : "", p.epoch, p.loss,
-                          p.heldOut.position, p.heldOut.heading,
-                          durationText(spent.count() / done * (p.members - done)).c_str());
+                          p.member + 1, p.members, noise.c_str(), p.epoch, p.loss, p.heldOut.position,
+                          p.heldOut.heading, durationText(spent.count() / done * (p.members - done)).c_str());
             line_.show(text);
         }
         return !wasInterrupted();

@@ -28,7 +28,9 @@ void print(const Validation& validation, const ValidationResult& result) {
         std::fputs(cells.text().c_str(), stdout);
         std::printf("gain ratio, %s over %s: %s; %s", validation.reality.c_str(), validation.simulation.c_str(),
                     survivesText(of).c_str(), counted(of.trials.size(), "trial").c_str());
-        if (of.leftOut > 0) std::printf(", %zu left out, without a number in every cell", of.leftOut);
+        if (of.leftOut > 0)
+            std::printf(", %zu more left out: not all of their runs gave a number for %s", of.leftOut,
+                        of.measure.name.c_str());
         std::printf("\nin %s: %s, %s; %s, %s\n\n", validation.reality.c_str(), validation.before.c_str(),
                     gainWithIntervalText(of.measure, negated(of.worse[0])).c_str(), validation.after.c_str(),
                     gainWithIntervalText(of.measure, negated(of.worse[1])).c_str());

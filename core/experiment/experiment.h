@@ -35,7 +35,7 @@ struct MeasureSummary {
     std::int64_t count = 0;  ///< of those that have a number
     double mean = 0, deviation = 0, least = 0, most = 0;
     bool share = false;  ///< all are 0 or 1: the mean is a share
-    Estimate estimate;   ///< the mean over trials with its interval, of a share Wilson's
+    Estimate estimate;   ///< the mean over trials with its interval, of a share Wilson's; not beyond what is possible
 };
 
 struct VariantSummary {

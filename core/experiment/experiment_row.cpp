@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "experiment/possible_values.h"
 #include "experiment/results_row.h"
 #include "io/format.h"
 #include "world/seconds_text.h"
@@ -136,11 +137,14 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
             MeasureSummary& measure = summaries[v].measures[i];
             measure.deviation =
                 measure.count > 1 ? std::sqrt(measure.deviation / static_cast<double>(measure.count - 1)) : 0;
+            const std::size_t features = experiment.features.size();
+            const Measure* const measured = i < features ? nullptr : &experiment.measures[i - features];
             // A mean over looks that is 0 or 1 throughout is no yes or no.
-            const bool ofLooks = i >= experiment.features.size() &&
-                                 experiment.measures[i - experiment.features.size()].of != Measure::Of::end;
-            measure.share = measure.share && !ofLooks;
-            if (measure.count > 0) measure.estimate = estimateOf(measure, trials[v][i]);
+            measure.share = measure.share && (measured == nullptr || measured->of == Measure::Of::end);
+            if (measure.count == 0) continue;
+            measure.estimate = limited(
+                estimateOf(measure, trials[v][i]),
+                measured != nullptr ? possibleValues(*measured) : writtenRange(experiment.features[i].expression.text));
         }
     return summaries;
 }

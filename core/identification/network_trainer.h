@@ -32,6 +32,7 @@ struct NetworkProgress {
     double loss = 0;
     OpenLoopError heldOut = {};  ///< best so far, of this member
     bool ofNoise = false;        ///< of a network that only its noise is learned from (learn_noise.h)
+    int membersOfNoise = 0;      ///< how many of `members` are such
 };
 
 /// Called about every evaluateEvery epochs; false ends learning with the best network so far.

@@ -141,8 +141,8 @@ std::string experimentReport(const Experiment& experiment, const ExperimentSumma
     body += cat(heading("What the numbers mean"),
                 paragraph("Means over all runs in which the measure is known. Intervals, and bands around curves, are "
                           "of 95\u00a0%, over trials: runs of a trial count as one; of shares by Wilson’s interval. "
-                          "Variants have the same trials with "
-                          "the same noise: their differences are more certain than the intervals look."));
+                          "They end where a mean cannot be, as far as the measure says that. Variants have the same "
+                          "trials with the same noise: their differences are more certain than the intervals look."));
     if (!context.commandLine.empty())
         body += cat(heading("Where this comes from"),
                     paragraph(cat("<code>", escaped(context.commandLine),

@@ -137,7 +137,8 @@ std::string taskProvenance(const TaskReport& report, const ReportContext& contex
     facts.row(
         {"left out", cat(std::to_string(report.data.unfinished), " runs not ended by <code>until</code>, ",
                          std::to_string(report.data.faulty), " with faults, ", std::to_string(report.data.unknown),
-                         report.data.variants.empty() ? " without numbers" : " trials without all their runs")});
+                         report.data.variants.empty() ? " whose target or an input is not a number"
+                                                      : " trials without all their runs")});
     addModelFacts(facts, context);
     if (!context.commandLine.empty()) facts.row({"made by", cat("<code>", escaped(context.commandLine), "</code>")});
     return cat(heading("Where this comes from"), tableCard(facts.text()));

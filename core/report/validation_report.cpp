@@ -195,13 +195,15 @@ std::string meanings(const Validation& validation) {
     list +=
         definition("gain", cat("Of a trial: by how much ", escaped(validation.after), " is better than ",
                                escaped(validation.before),
-                               ", from the same start with the same noise. The interval is Student’s, over trials."));
+                               ", from the same start with the same noise. The interval is Student’s, over trials; it "
+                               "ends where a mean cannot be, as far as the measure says that."));
     list += definition("gain ratio",
                        "Mean gain in the reality over mean gain in the simulator: what of it survives, with "
                        "Fieller’s interval. It is not known where the gain in the simulator may be none.");
     list += definition("shares",
                        "Of yes and no: Wilson’s interval; where trials have several seeds their runs count as "
                        "fewer, as far as they are alike.");
+    list += definition("left out", "Trials of which not all runs gave a number for the measure.");
     list += definition("worse, better",
                        "By how much the same controller does worse in the reality, or better: paired by trial, too.");
     return cat(heading("What the numbers mean"), element("dl", "", list));

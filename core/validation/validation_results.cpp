@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "experiment/possible_values.h"
 #include "experiment/run.h"
 #include "io/format.h"
 #include "motion/motion_network.h"
@@ -133,7 +134,13 @@ private:
         return of;
     }
 
-    static void summarise(MeasureValidation& of, double runs) {
+    ValueRange possibleOf(const ValidatedMeasure& measure) const {
+        if (measure.yesNo) return {0, 1};
+        return possibleValues(*std::ranges::find(validation_.experiment.measures, measure.name, &Measure::name));
+    }
+
+    void summarise(MeasureValidation& of, double runs) const {
+        const ValueRange possible = possibleOf(of.measure), differences = possibleDifferences(possible);
         const auto column = [&](auto value) {
             std::vector<double> numbers;
             for (const TrialValues& trial : of.trials) numbers.push_back(value(trial));
@@ -141,18 +148,20 @@ private:
         };
         for (std::size_t place = 0; place < validationCells; ++place) {
             const std::vector<double> values = column([&](const TrialValues& trial) { return trial.of[place]; });
-            of.cells[place] = meanOf(values);
+            of.cells[place] = limited(meanOf(values), possible);
             if (of.measure.yesNo) of.cells[place] = wilsonShare(of.cells[place].value, effectiveCount(values, runs));
         }
         const auto gains = [&](bool real) {
             return column([&](const TrialValues& trial) { return trial.gain(of.measure, real); });
         };
         const std::vector<double> simulated = gains(false), real = gains(true);
-        of.gain = {meanOf(simulated), meanOf(real)};
+        of.gain = {limited(meanOf(simulated), differences), limited(meanOf(real), differences)};
         if (of.gain[0].value > 0) of.survives = ratioOfMeans(real, simulated);
         for (const std::size_t after : {0u, 1u})
-            of.worse[after] = meanOf(column(
-                [&](const TrialValues& trial) { return of.measure.gain(trial.of[2 + after], trial.of[after]); }));
+            of.worse[after] = limited(meanOf(column([&](const TrialValues& trial) {
+                                          return of.measure.gain(trial.of[2 + after], trial.of[after]);
+                                      })),
+                                      differences);
     }
 
     void findDisagreements() {

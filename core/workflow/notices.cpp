@@ -51,6 +51,10 @@ std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::
     return ofKnownLog(network.training.logs, log, network.heldOut.part.holdsAny() ? howJudged : "");
 }
 
+std::string ofNoNoise(const MotionNetwork& network) {
+    return network.noise ? "" : "The network knows its mean alone: it does not say how far real runs stray from it.";
+}
+
 }  // namespace
 
 ReportContext contextOf(const NetworkTraining& training, const std::string& command) {
@@ -93,8 +97,7 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log,
     std::vector<std::string> notices = otherRobotNotices(network, log);
     if (!heldOutOnly)
         notices.push_back(ofKnownLog(network, log, " --held-out judges it by what was kept from learning."));
-    if (!network.noise)
-        notices.emplace_back("The network knows its mean alone: it does not say how far real runs stray from it.");
+    notices.push_back(ofNoNoise(network));
     std::erase(notices, std::string());
     return notices;
 }
@@ -112,9 +115,9 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld&
     Log compared;
     compared.files = world.log().files;
     for (const ComparedRobot& robot : world.robots()) compared.robots.push_back({robot.realName, {}, {}});
-    std::vector<std::string> notices{otherKindNotice(network, world),
-                                     ofUnknownRobots(network.robots, namesOf(compared)),
-                                     ofKnownLog(network, compared, " mrose evaluate can judge it by what was kept.")};
+    std::vector<std::string> notices{
+        otherKindNotice(network, world), ofUnknownRobots(network.robots, namesOf(compared)),
+        ofKnownLog(network, compared, " mrose evaluate can judge it by what was kept."), ofNoNoise(network)};
     std::erase(notices, std::string());
     return notices;
 }

@@ -26,8 +26,8 @@ ReportContext contextOf(const NetworkTraining& training, const std::string& comm
 std::vector<const MotionNetwork*> networksOf(const ScenarioParts& parts);
 
 /// What must be known of a network and a log before the errors of the one on the other are believed, a sentence each:
-/// another kind of robot, robots that it was not learned from, a log that it was learned from. `heldOutOnly`: the log
-/// is but the part that was kept from learning.
+/// another kind of robot, robots that it was not learned from, a log that it was learned from, that it knows no noise.
+/// `heldOutOnly`: the log is but the part that was kept from learning.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log, bool heldOutOnly = false);
 /// Of these, those that say of another robot or kind of robot.
 std::vector<std::string> otherRobotNotices(const MotionNetwork& network, const Log& log);

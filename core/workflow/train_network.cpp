@@ -202,7 +202,8 @@ Expected<TrainedNetwork> learnFrom(const LearningLogs& opened, const TrainReques
     const auto learnsAfter = [&](int members) {
         return [&, members](NetworkProgress p) {
             p.member += members;
-            p.members = options.members * (withNoise ? 1 + noiseParts : 1);
+            p.membersOfNoise = withNoise ? options.members * noiseParts : 0;
+            p.members = options.members + p.membersOfNoise;
             return !progress.learns || progress.learns(p);
         };
     };

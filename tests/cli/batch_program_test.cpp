@@ -52,6 +52,9 @@ TEST_F(BatchProgram, WritesARowForEachRunAndSumsUp) {
         told(play("batch", {"--trials", "5", "--seeds", "2..3", "--duration", "1", "-o", path("out"), "--json"}));
     EXPECT_EQ(json["runs"], 10);
     EXPECT_EQ(json["resumed"], 10);
+    const std::string again =
+        play("batch", {"--trials", "5", "--seeds", "2..3", "--duration", "1", "-o", path("out")}).out;
+    EXPECT_NE(again.find(" ms, 10 of them done before"), std::string::npos) << "less than a second: " << again;
     EXPECT_EQ(json["complete"], true);
     EXPECT_EQ(json["results"], path("out") + "/results.csv");
 }

@@ -104,6 +104,19 @@ TEST_F(CompareProgram, AgreesWithEvaluateAndPredictForTheSameWindows) {
         EXPECT_NE(read(file), "") << file;
 }
 
+TEST_F(CompareProgram, SaysWhoseNetworkKnowsNoNoise) {
+    const auto notices = [&](const std::string& text) {
+        return result({"compare", text, "--log", shippedLog(), "--duration", "2", "--no-causes"})["notices"].dump();
+    };
+    const std::string file = scenario(), said = "The network knows its mean alone";
+    EXPECT_EQ(notices(file).find(said), std::string::npos);
+    write("r.toml", replaced(read("r.toml"), "network = \"pioneer.net\"\nrobot = \"reference\"",
+                             "network = \"create_paper.net\""));
+    const std::string found = notices(file);
+    EXPECT_NE(found.find(said), std::string::npos) << found;
+    EXPECT_EQ(found.find(said), found.rfind(said)) << "once";
+}
+
 TEST_F(CompareProgram, LogOfShortPiecesIsCutAsEvaluateCutsIt) {
     std::string text =
         "window,calib_step,t_s,cmd_left_radps,cmd_right_radps,wheel_left_radps,wheel_right_radps,icp_x_m,icp_y_m,"

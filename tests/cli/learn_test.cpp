@@ -32,7 +32,7 @@ TEST_F(LearnProgram, ChoosesAmongVariantsAndMakesAPage) {
                                            "--members", "2", "--report", path("page"), "-o", path("choice.net")});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr("200 trials, 40 of them held out"));
-    EXPECT_THAT(result.out, HasSubstr("better than every variant alone"));
+    EXPECT_THAT(result.out, HasSubstr("\nbetter than every variant alone by more than chance (95 %)"));
     EXPECT_THAT(read("choice.net"), HasSubstr("name = \"down\""));
     EXPECT_THAT(read("page/report.html"), HasSubstr("Choosing by it"));
     EXPECT_THAT(read("page/predictions.csv"), HasSubstr("trial,variant,a,cost,predicted.network"));
@@ -69,6 +69,38 @@ TEST_F(LearnProgram, OfVariantsWholeTrialsAreLeftOutAndSaidOnce) {
               "199 trials, 40 of them held out; 1 trial left out (runs with faults: 1)");
     EXPECT_EQ(learnedFrom("duration", "--log"),
               "399 rows, 80 of them held out by trials; 1 left out, not ended by `until`");
+}
+
+TEST_F(LearnProgram, SaysWhoseNumbersAreMissing) {
+    results();
+    std::string text = read("results.csv");
+    const std::size_t end = text.find(",mrose-gui"), cost = text.rfind(',', end - 1);
+    const std::string file = write("one missing.csv", text.replace(cost, end - cost, ",nan"));
+    const auto first = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"learn",     file, "--target",    "cost", "--hidden",        "2",
+                                       "--members", "2",  "--overwrite", "-o",   path("choice.net")};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProgramResult result = runMrose(words);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.out.substr(0, result.out.find('\n'));
+    };
+    EXPECT_EQ(first({}),
+              "399 rows, 80 of them held out by trials; 1 left out, as the target or an input is not a number");
+    EXPECT_EQ(first({"--by-variant"}),
+              "199 trials, 40 of them held out; 1 trial left out (the target or an input is not a number)");
+}
+
+TEST_F(LearnProgram, WhatIsNoBetterThanChanceIsSaidSo) {
+    std::string text = "trial,seed,variant,variant_name,end,feature.a,measure.cost,window\n";
+    for (int trial = 1; trial <= 200; ++trial)
+        for (std::uint32_t variant = 1; variant <= 2; ++variant)
+            text += std::to_string(trial) + ",1," + std::to_string(variant) + (variant == 1 ? ",up" : ",down") +
+                    ",condition," + std::to_string(uniformNoise({1, trial, 0, 0})) + ',' +
+                    std::to_string(uniformNoise({1, trial, variant, 1})) + ",mrose-gui x\n";
+    const ProgramResult result = runMrose({"learn", write("noise.csv", text), "--target", "cost", "--by-variant",
+                                           "--hidden", "2", "--members", "2", "-o", path("choice.net")});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("\nnot better than every variant alone by more than chance (95 %)"));
 }
 
 TEST_F(LearnProgram, WhatDoesNotGoTogetherIsRefused) {

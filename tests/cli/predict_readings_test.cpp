@@ -117,6 +117,20 @@ TEST_F(PredictReadings, NoReadingOfTheLogIsRead) {
     EXPECT_FALSE(predictions == predicted(path("elsewhere.csv"), queries));
 }
 
+TEST_F(PredictReadings, TakeASeedWithoutSamples) {
+    const Log log = twoCameras();
+    ASSERT_TRUE(writeCsv(path("log.csv"), log));
+    queriesOf(log);
+    const std::string queries = write("few.csv", firstLines(read("queries.csv"), 50));
+    const auto drawn = [&](const std::string& seed) {
+        const ProgramResult result = runMrose({"predict", path("some.net"), "--log", path("log.csv"), "--queries",
+                                               queries, "--seed", seed, "-q", "-o", path(seed + ".csv")});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return read(seed + ".csv");
+    };
+    EXPECT_NE(drawn("1"), drawn("2")) << "there are 40 unless more or fewer are asked for";
+}
+
 TEST_F(PredictReadings, SaysWhichDatasetALogWithoutNumberIs) {
     const Log log = twoCameras();
     ASSERT_TRUE(writeCsv(path("log.csv"), log));

@@ -90,6 +90,12 @@ TEST_F(Program, WrongUsageIsOneLineAndStatusTwo) {
     EXPECT_EQ(listing(), std::vector<std::string>{"log.csv"});
 }
 
+TEST_F(Program, SeedOfAPredictionNeedsSamples) {
+    const std::vector<std::string> words{"predict", "a",  "--log",   "b",      "--windows",
+                                         "c",       "-o", path("x"), "--seed", "2"};
+    expectOneLine(runMrose(words), {"--seed requires --samples"}, 2);
+}
+
 TEST_F(Program, NoNumberIsNoValueOfAnyFlag) {
     auto training = trainWords(path("x.net")), evaluation = std::vector<std::string>{"evaluate", "a", "--log", "b"},
          prediction = std::vector<std::string>{"predict", "a", "--log", "b", "--windows", "c", "-o", path("x")},
@@ -341,6 +347,8 @@ TEST_F(Program, ProgressGoesToStandardErrorUnlessQuiet) {
     const ProgramResult loud = runMrose(trainWords(path("b.net")));
     EXPECT_NE(loud.err.find("epoch 10: loss "), std::string::npos) << loud.err;
     EXPECT_NE(loud.err.find("left"), std::string::npos) << loud.err;
+    EXPECT_NE(loud.err.find("network 1 of "), std::string::npos) << loud.err;
+    EXPECT_NE(loud.err.find(" for the noise), epoch "), std::string::npos) << loud.err;
     EXPECT_EQ(loud.out.find("epoch 10"), std::string::npos);
     std::vector<std::string> longer = trainWords(path("b.net"));
     for (const auto& [flag, value] :

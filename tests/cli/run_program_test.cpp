@@ -247,10 +247,11 @@ TEST_F(RunProgram, SaysOnceWhoseNetworkKnowsNoNoise) {
     text = replaced(replaced(text, "pioneer1.toml", "paper.toml"), "nomad200.toml", "paper.toml");
     const std::string two =
         write("two.toml", replaced(text, "kind = \"chase_ball\", target_m = [4.8, 0.0]", "kind = \"wander\""));
-    EXPECT_EQ(
-        runMrose({"run", two, "--duration", "0.1"}).err,
+    const std::string note =
         "mrose: note: the network of robots of type \"As in the paper\" knows its mean alone: they drive the same way "
-        "every time, which real ones do not\n");
+        "every time, which real ones do not\n";
+    EXPECT_EQ(runMrose({"run", two, "--duration", "0.1"}).err, note);
+    EXPECT_EQ(runMrose({"batch", two, "--trials", "2", "--duration", "0.1", "-q", "-o", path("out")}).err, note);
     const std::string yard = write("yard.toml", replaced(read("it's a game.toml"), "nomad200.toml", "husky.toml"));
     EXPECT_EQ(runMrose({"run", yard, "--duration", "0.1"}).err, "") << "ships with its noise";
 }

@@ -76,6 +76,12 @@ TEST_F(ValidateProgram, SaysWhatOfTheGainSurvives) {
     EXPECT_EQ(again["synthetic_reality"], true);
 }
 
+TEST_F(ValidateProgram, SaysWhichTrialsAreLeftOutAndWhy) {
+    write("v.toml", std::string(slower) + "[[measure]]\nname = \"never\"\nbetter = \"less\"\n");
+    EXPECT_THAT(validate("out").out,
+                HasSubstr("; 0 trials, 20 more left out: not all of their runs gave a number for never\n"));
+}
+
 TEST_F(ValidateProgram, WhereTheyDisagreeIsRepeatedByItsCommand) {
     ASSERT_EQ(validate("out", {"--trials", "8"}).status, 0);
     const auto rows = csvRows(read("out/disagreements.csv"));

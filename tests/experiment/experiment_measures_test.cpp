@@ -121,6 +121,30 @@ TEST_F(ExperimentTest, SharesHaveTheirIntervals) {
     EXPECT_NEAR(measures[2].estimate.high - measures[2].mean, 2.02269 * measures[2].deviation / std::sqrt(40), 1e-5);
 }
 
+/// Of three trials Student's intervals reach beyond 0 and 1.
+TEST_F(ExperimentTest, IntervalsEndWhereMeasuresCannotBe) {
+    const Experiment lane = experiment(
+        "trials = 3\n[[draw]]\nname = \"u\"\nfrom = 0.0\nto = 1.0\n[features]\nu = 'draw.u'\n[measures]\n"
+        "late_s = { seconds = 'time > 4 * draw.u' }\nwhen_s = { first = 'time > 4 * draw.u' }\n"
+        "share = { mean = 'time > 4 * draw.u' }\n"
+        "percent = { mean = 'time > 4 * draw.u and 100 or 0' }\nany = { mean = '(time > 4 * draw.u and 1 or 0) + 0' "
+        "}\n");
+    const auto summary = run(lane);
+    ASSERT_TRUE(summary) << summary.error().message();
+    const auto& of = summary->variants[0].measures;
+    EXPECT_LT(of[0].estimate.low, 0) << "of a feature whose text does not say what it can be";
+    for (const std::size_t place : {1u, 2u}) {
+        EXPECT_EQ(of[place].estimate.low, 0) << of[place].name;
+        EXPECT_GT(of[place].estimate.high, of[place].mean) << of[place].name;
+    }
+    EXPECT_EQ(of[3].estimate.low, 0);
+    EXPECT_EQ(of[3].estimate.high, 1);
+    EXPECT_EQ(of[4].estimate.low, 0);
+    EXPECT_EQ(of[4].estimate.high, 100);
+    EXPECT_LT(of[5].estimate.low, 0);
+    EXPECT_GT(of[5].estimate.high, 1);
+}
+
 /// Runs of a trial that are all alike say no more than one.
 TEST_F(ExperimentTest, RunsOfATrialCountAsOneWhereTheyAreAlike) {
     const std::string text =

@@ -240,6 +240,39 @@ TEST_F(ValidationTest, IntervalsArePairedByTrial) {
     }
 }
 
+/// `far` goes from no to yes in two of three trials.
+TEST_F(ValidationTest, GainsOfYesAndNoAreAtMostAllOfIt) {
+    texts_["real.csv"] =
+        "trial,when,way_m,far\n101,before,1,0\n101,after,1,1\n102,before,1,0\n102,after,1,1\n"
+        "103,before,9,0\n103,after,1,0\n";
+    text_ = replaced(text_, "set = { \"robot[1].type.kinematics.v\" = { gain = 0.8 } }", "results = \"real.csv\"");
+    const auto validation = read(text_);
+    ASSERT_TRUE(validation) << validation.error().message();
+    const ValidationResult result = validated(*validation);
+    const MeasureValidation &way = result.measures[0], &far = result.measures[1];
+    EXPECT_NEAR(far.gain[1].value, 2.0 / 3, 1e-9);
+    EXPECT_LT(far.gain[1].low, 0);
+    EXPECT_EQ(far.gain[1].high, 1);
+    EXPECT_NEAR(far.worse[1].value, 1.0 / 3, 1e-9);
+    EXPECT_EQ(far.worse[1].high, 1);
+    EXPECT_NEAR(way.gain[1].low, -8.0 / 3 - 4.30265 * 8 / 3, 1e-3) << "a way may be any number";
+}
+
+/// How long and how often something holds is not less than 0, whoever measures it.
+TEST_F(ValidationTest, TimesAreNotNegative) {
+    texts_["x.toml"] += "late_s = { seconds = 'robot[1].x - draw.x > 0.5' }\n";
+    texts_["real.csv"] =
+        "trial,when,way_m,far,late_s\n101,before,1,0,9\n101,after,1,1,0\n102,before,1,0,0\n102,after,1,1,0\n";
+    text_ = replaced(text_, "set = { \"robot[1].type.kinematics.v\" = { gain = 0.8 } }", "results = \"real.csv\"") +
+            "[[measure]]\nname = \"late_s\"\nbetter = \"less\"\n";
+    const auto validation = read(text_);
+    ASSERT_TRUE(validation) << validation.error().message();
+    const MeasureValidation late = validated(*validation).measures[2];
+    EXPECT_EQ(late.cells[2].value, 4.5);
+    EXPECT_EQ(late.cells[2].low, 0);
+    EXPECT_LT(late.gain[1].low, 0) << "it may be worse";
+}
+
 TEST_F(ValidationTest, ResumedOnAnyNumberOfThreadsIsTheSame) {
     texts_["r.toml"] += "[motion_noise]\ndistance_per_distance = 0.5\n";
     const auto validation = read(text_);
