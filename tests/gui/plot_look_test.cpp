@@ -156,6 +156,13 @@ TEST_F(PlotLookTest, ManyAxesAreScrolledAndNotSqueezed) {
     EXPECT_FALSE(area->verticalScrollBar()->isVisible());
 }
 
+TEST_F(PlotLookTest, CurvesUnderTheNameOfTheirRobotAreCalledByTheirQuantity) {
+    ASSERT_NO_FATAL_FAILURE(openTwo());
+    const std::string first = window.shown()->frame->nameOf(0);
+    plot({"speed", "command_v", "x"}, 0);
+    EXPECT_THAT(legendLines(), ElementsAre(first, "speed", "command_v", "x"));
+}
+
 TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
     ASSERT_NO_FATAL_FAILURE(openTwo());
     const std::string first = window.shown()->frame->nameOf(0), second = window.shown()->frame->nameOf(1);

@@ -170,6 +170,13 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         one.label = several && !nothing ? body + "  " + one.inGroup : one.inGroup;
         if (several && !nothing) one.group = body;
     }
+    // Under a body's name nothing is called by that.
+    const bool grouped = std::any_of(words.begin(), words.end(), [](const auto& one) { return !one.group.isEmpty(); });
+    for (std::size_t i = 0; grouped && i < words.size(); ++i)
+        if (words[i].group.isEmpty() && !isExpression(keys[i])) {
+            words[i].group = qtText(keys[i].body);
+            words[i].inGroup = words[i].axis;
+        }
     return words;
 }
 

@@ -15,10 +15,10 @@
 
 #include "diagnosis/divergence_text.h"
 #include "io/format.h"
-#include "reality/whole_rows.h"
 #include "widgets/eliding_text.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
+#include "widgets/whole_rows.h"
 
 namespace mrose::gui {
 namespace {
