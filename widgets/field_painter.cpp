@@ -69,7 +69,9 @@ void FieldPainter::frame(const FieldFrame& frame, const FieldFocus& focus, Label
     kept.push_back(scaleBar().box());
     if (hasKnob(frame, focus)) kept.push_back(knobBox(canvas_.view, frame, *focus.selected));
     if (layers_.has(FieldLayer::uncertainty))
-        if (const auto ahead = bandLabel(canvas_, frame, focus)) {
+        if (const auto ahead = bandLabel(canvas_, frame, focus);
+            ahead &&
+            std::none_of(kept.begin(), kept.end(), [&](const auto& box) { return box.intersects(ahead->box); })) {
             kept.push_back(ahead->box);
             drawPlate(canvas_, ahead->box, ahead->label);
         }

@@ -102,7 +102,7 @@ QString readingReadout(const ViewTransform& view, const FieldFrame& frame, const
     for (const RobotLooks& of : looks) {
         const QString name = qtText(frame.nameOf(of.robot));
         add(name, of.simulated);
-        add(QObject::tr("real %1").arg(name), of.real);
+        add(QObject::tr("%1 %2").arg(realWord(frame), name), of.real);
     }
     return lines.join('\n');
 }

@@ -209,8 +209,9 @@ void addRealNames(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
         label.at = position(robot.pose);
         label.clearance = reach + 2;
         if (beside) standBesideBoth(canvas, frame.poseOf(*robot.body), label);
-        label.text = beside ? QObject::tr("real: %1").arg(errorText(*robot.apart))
-                            : QObject::tr("real %1").arg(qtText(frame.reality->robots[robot.index].name));
+        const char* const real = realWord(frame);
+        label.text = beside ? QObject::tr("%1: %2").arg(real, errorText(*robot.apart))
+                            : QObject::tr("%1 %2").arg(real, qtText(frame.reality->robots[robot.index].name));
         label.colour = canvas.theme.onFloor;
         label.chip = realColour(robot.place, canvas.theme);
         label.first = looked;

@@ -148,7 +148,7 @@ void drawContacts(const FieldCanvas& canvas, const FieldFrame& frame, const Fiel
         label.at = contact.position;
         label.clearance = 8;
         label.text = impulseText(contact.impulse);
-        label.colour = canvas.theme.contact;
+        label.colour = canvas.theme.onFloor;
     }
     canvas.painter.setRenderHint(QPainter::Antialiasing);
 }

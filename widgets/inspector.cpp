@@ -16,6 +16,7 @@
 #include "widgets/eliding_label.h"
 #include "widgets/inspector_delegate.h"
 #include "widgets/qt_text.h"
+#include "widgets/whole_rows.h"
 
 namespace mrose {
 namespace {
@@ -36,7 +37,7 @@ Inspector::Inspector(QWidget* parent)
       title_(new ElidingLabel),
       hint_(new QLabel(tr("Click a robot or the ball to see all about it."))),
       queue_(new CommandQueue),
-      tree_(new QTreeWidget) {
+      tree_(new WholeRows<QTreeWidget>) {
     setFont(smallFont(font()));
     auto* head = new QHBoxLayout;
     chip_->setFixedSize(14, 14);

@@ -97,7 +97,8 @@ QString truthText(const std::vector<const SensorLook*>& looks, const std::string
 InspectorRow rowsOf(const RowWriter& write, const SensorRows& of) {
     InspectorRow table = RowWriter::section(of.sensor);
     auto& rows = table.children;
-    rows.push_back(tableRow("", {"", of.logged ? QObject::tr("real") : QString(), "", QObject::tr("simulated")}));
+    rows.push_back(
+        tableRow("", {"", of.logged ? QString(realWord(write.frame)) : QString(), "", QObject::tr("simulated")}));
     rows.push_back(
         tableRow(QObject::tr("age"),
                  {"", of.logged ? ageText(write.frame, of.real) : QString(), "", ageText(write.frame, of.simulated)},
@@ -116,9 +117,10 @@ InspectorRow rowsOf(const RowWriter& write, const SensorRows& of) {
     }
     for (const std::string& name : subjects) {
         const QStringList real = of.logged ? readingCells(of.in(of.real, name)) : QStringList{"", ""};
-        rows.push_back(tableRow(
-            qtText(name), real + readingCells(of.in(of.simulated, name)),
-            QObject::tr("real: %1\nsimulated: %2").arg(truthText(of.real, name), truthText(of.simulated, name))));
+        rows.push_back(
+            tableRow(qtText(name), real + readingCells(of.in(of.simulated, name)),
+                     QObject::tr("%1: %2\nsimulated: %3")
+                         .arg(realWord(write.frame), truthText(of.real, name), truthText(of.simulated, name))));
     }
     return table;
 }

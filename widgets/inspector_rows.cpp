@@ -112,11 +112,11 @@ InspectorRow predictionRows(const RowWriter& write) {
     return section;
 }
 
-InspectorRow lostRow(const std::optional<RealRobot>& robot) {
+InspectorRow lostRow(const std::optional<RealRobot>& robot, const char* real) {
     InspectorRow row = RowWriter::text(
         QObject::tr("Ground truth"),
         robot ? QObject::tr("none for %1 s").arg(toSeconds(*robot->lostFor), 0, 'f', 1) : QObject::tr("none yet"),
-        QObject::tr("the log does not say where the real robot is"));
+        QObject::tr("the log does not say where the %1 robot is").arg(real));
     row.notable = true;
     return row;
 }
@@ -128,7 +128,7 @@ std::optional<InspectorRow> realityRows(const RowWriter& write) {
     if (frame.reality == nullptr || frame.reality->robotNamed(frame.nameOf(write.body)) == nullptr) return std::nullopt;
     InspectorRow section = write.section("Reality");
     if (const auto robot = realRobotOf(frame, write.body); !robot || !robot->known())
-        section.children.insert(section.children.begin(), lostRow(robot));
+        section.children.insert(section.children.begin(), lostRow(robot, realWord(frame)));
     for (const Reality::ModelRollout& model : frame.reality->models) {
         const auto error = [&](const char* quantity) {
             return write.item(quantityNamed(quantity, Quantity::Of::items), {model.name, ""});

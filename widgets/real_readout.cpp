@@ -23,7 +23,7 @@ QColor realColour(std::optional<std::size_t> place, const Theme& theme) {
 QString errorText(const PoseError& error) { return lengthText(error.position) + ", " + degreesText(error.heading); }
 
 QString realReadout(const FieldFrame& frame, const RealRobot& robot) {
-    const QString name = QObject::tr("real %1").arg(qtText(frame.reality->robots[robot.index].name));
+    const QString name = QObject::tr("%1 %2").arg(realWord(frame), qtText(frame.reality->robots[robot.index].name));
     if (robot.lostFor)
         return QObject::tr("%1: no ground truth for %2 s").arg(name).arg(toSeconds(*robot.lostFor), 0, 'f', 1);
     if (robot.apart) return QObject::tr("%1: %2 away").arg(name, errorText(*robot.apart));

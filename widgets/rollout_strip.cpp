@@ -115,7 +115,8 @@ QString RolloutStrip::textAt(double pixel) const {
     if (!std::isfinite(cell->error)) return tr("%1: no ground truth").arg(where);
     QString text = tr("%1: %2 off on average").arg(where, lengthText(cell->error));
     if (cell->diverges)
-        text += tr(", leaves the real trajectory after %1 s").arg(toSeconds(*cell->diverges - cell->from), 0, 'f', 1);
+        text +=
+            tr(", leaves the trajectory of the log after %1 s").arg(toSeconds(*cell->diverges - cell->from), 0, 'f', 1);
     return text;
 }
 

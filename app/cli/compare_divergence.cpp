@@ -21,8 +21,8 @@ std::string whichOf(const Comparison& comparison, const RolloutDivergence& diver
            (session.empty() ? "" : " of " + session) + ")";
 }
 
-void printCause(const Diagnosis& diagnosis) {
-    if (const std::string onset = onsetText(diagnosis); !onset.empty()) std::printf("  %s\n", onset.c_str());
+void printCause(const Diagnosis& diagnosis, const std::string& real) {
+    if (const std::string onset = onsetText(diagnosis, real); !onset.empty()) std::printf("  %s\n", onset.c_str());
     std::printf("  likely cause: %s\n", causeText(diagnosis).c_str());
     TextTable table({"    tried", "explains"});
     for (const CauseTrial& trial : usefulTrials(diagnosis)) table.add({"    " + trial.what, explainedText(trial)});
@@ -64,11 +64,12 @@ void addDivergenceFlags(CLI::App& sub, DivergenceRequest& flags) {
 }
 
 void printDivergences(const Comparison& comparison, const ComparedDivergences& divergences) {
-    std::printf("\n%s\n", boundText(divergences).c_str());
+    const std::string real = comparison.log.real();
+    std::printf("\n%s\n", boundText(divergences, real).c_str());
     if (divergences.rollouts.empty()) {
-        std::puts(divergences.source == BoundSource::noise && divergences.ofAll
-                      ? "No robot leaves the real trajectory: all stay within what such robots differ from themselves."
-                      : "No robot leaves the real trajectory.");
+        const bool within = divergences.source == BoundSource::noise && divergences.ofAll;
+        std::printf("No robot leaves the %s trajectory%s.\n", real.c_str(),
+                    within ? ": all stay within what such robots differ from themselves" : "");
         return;
     }
     if (comparison.requests.size() > 1) {
@@ -81,8 +82,9 @@ void printDivergences(const Comparison& comparison, const ComparedDivergences& d
     for (const std::size_t index : worstOf(comparison, divergences, shownDivergences)) {
         const RolloutDivergence& diverging = divergences.rollouts[index];
         if (!diverging.diagnosis && many) continue;
-        std::printf("\n%s: %s\n", whichOf(comparison, diverging).c_str(), divergenceText(diverging.divergence).c_str());
-        if (diverging.diagnosis) printCause(*diverging.diagnosis);
+        std::printf("\n%s: %s\n", whichOf(comparison, diverging).c_str(),
+                    divergenceText(diverging.divergence, real).c_str());
+        if (diverging.diagnosis) printCause(*diverging.diagnosis, real);
     }
 }
 

@@ -39,7 +39,7 @@ double normalScore(const CaseScore& score, std::size_t dimension) {
 }  // namespace
 
 ErrorLinks errorLinks(const LoggedCases& cases, std::span<const CaseScore> scores, std::size_t dimension,
-                      const ReadingNoises* noises) {
+                      const ReadingNoises* noises, std::optional<std::size_t> robot) {
     const ReadingNoise noise = noises == nullptr ? ReadingNoise{} : (*noises)[1 + dimension];
     LinkSum next, beside;
     const auto forEachSound = [&](const LoggedLook& look, std::size_t from, const auto& use) {
@@ -48,6 +48,7 @@ ErrorLinks errorLinks(const LoggedCases& cases, std::span<const CaseScore> score
     };
     for (std::size_t l = 0; l < cases.looks.size(); ++l) {
         const LoggedLook& look = cases.looks[l];
+        if (robot && look.robot != *robot) continue;
         const LoggedLook* const before = l == 0 ? nullptr : &cases.looks[l - 1];
         const bool follows = before != nullptr && before->robot == look.robot &&
                              before->trajectory == look.trajectory && look.time - before->time <= longestPause;

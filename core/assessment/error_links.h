@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,8 +24,9 @@ struct ErrorLinks {
     ErrorLink next;    ///< of one subject, at successive looks that are at most 1 s apart
     ErrorLink beside;  ///< of two subjects of one look
 };
+/// Of all robots, or one of LoggedCases::robots.
 ErrorLinks errorLinks(const LoggedCases& cases, std::span<const CaseScore> scores, std::size_t dimension,
-                      const ReadingNoises* noises);
+                      const ReadingNoises* noises, std::optional<std::size_t> robot = {});
 
 /// Mean errors of a robot's sound readings: biases. Not a number of none.
 struct MeanErrors {

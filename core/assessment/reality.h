@@ -52,6 +52,8 @@ struct Reality : RealRobots {
     std::vector<ModelRollout> models;
     std::shared_ptr<const Scenario> allRobots = {};  ///< LogWorld::allRobots(); null: no robot is left out
 
+    /// What its robots are called: Log::real().
+    const char* real() const { return log == nullptr ? "real" : log->real(); }
     /// Of the simulated robot of that name; nullptr: none really drove beside it.
     const Robot* robotNamed(const std::string& simulated) const;
     /// Instants between which it is not known where a robot is, from the run's start on; nullptr: in which it is not

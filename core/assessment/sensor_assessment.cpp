@@ -104,8 +104,13 @@ Expected<SensorEvaluation> evaluateSensors(const Log& log, LoggedCases cases, st
         for (const BandAxis axis : {BandAxis::range, BandAxis::bearing})
             evaluation.bands[d][static_cast<std::size_t>(axis)] =
                 errorBands(evaluation.log.cases, first.predictions, d, axis);
-    for (std::size_t d = 0; d < readingDimensions; ++d)
-        evaluation.links[d] = errorLinks(evaluation.log, first.scores, d, models.front().model->noises());
+    evaluation.linksByRobot.resize(evaluation.log.robots.size());
+    for (std::size_t d = 0; d < readingDimensions; ++d) {
+        const ReadingNoises* const noises = models.front().model->noises();
+        evaluation.links[d] = errorLinks(evaluation.log, first.scores, d, noises);
+        for (std::size_t i = 0; i < evaluation.log.robots.size(); ++i)
+            evaluation.linksByRobot[i][d] = errorLinks(evaluation.log, first.scores, d, noises, i);
+    }
     for (std::size_t i = 0; i < evaluation.log.robots.size(); ++i)
         evaluation.means.push_back(meanErrors(evaluation.log, first.predictions, first.scores, i));
     evaluation.map = detectionMap(evaluation.log.cases, first.scores, evaluation.log.rule);

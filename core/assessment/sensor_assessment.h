@@ -41,7 +41,8 @@ struct SensorEvaluation {
     View view;                                                                   ///< of the first
     std::array<std::array<std::vector<ErrorBand>, 2>, readingDimensions> bands;  ///< by dimension, then by BandAxis
     std::array<ErrorLinks, readingDimensions> links;
-    std::vector<MeanErrors> means;  ///< by LoggedCases::robots
+    std::vector<std::array<ErrorLinks, readingDimensions>> linksByRobot;  ///< by LoggedCases::robots, as the next one
+    std::vector<MeanErrors> means;
     DetectionMap map;
     ShownLook shown;  ///< the one with the most readings
 };

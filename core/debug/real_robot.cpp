@@ -27,6 +27,8 @@ std::optional<RealRobot> realRobot(const FieldFrame& frame, std::size_t index, s
 
 }  // namespace
 
+const char* realWord(const FieldFrame& frame) { return frame.reality ? frame.reality->real() : "real"; }
+
 std::optional<std::size_t> bodyOf(const FieldFrame& frame, const Reality::Robot& robot) {
     const std::vector<SceneRobot>& robots = frame.scene().robots;
     const auto found =

@@ -21,6 +21,8 @@ struct RealRobot {
     bool known() const { return !lostFor; }
 };
 
+/// What robots of the log are called beside simulated ones: Log::real().
+const char* realWord(const FieldFrame& frame);
 /// Those that have been seen so far, in the order of Reality::robots; empty where no reality is known.
 std::vector<RealRobot> realRobots(const FieldFrame& frame);
 /// The one that drove what a body repeats; nullopt: none.

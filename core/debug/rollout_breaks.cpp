@@ -64,6 +64,7 @@ Expected<bool> hasBreak(TimeTravel& run, Breakpoints& breakpoints, const BreakWi
 
 LeavingRobots leavingRobots(const LogWorld& world, std::span<const RolloutRow> rowsOfRollout) {
     LeavingRobots leaving;
+    leaving.real = world.log().real();
     for (const RolloutRow& row : rowsOfRollout)
         leaving.robots.push_back({world.robots()[row.robot].name, row.bound,
                                   row.divergence ? std::optional(row.divergence->time) : std::nullopt});
@@ -87,7 +88,7 @@ TickText whoLeaves(const LeavingRobots& leaving) {
             names += (names.empty() ? "" : ", ") + robot.name;
             ++count;
         }
-        return names + (count == 1 ? " leaves the real trajectory" : " leave the real trajectory");
+        return names + (count == 1 ? " leaves the " : " leave the ") + leaving.real + " trajectory";
     };
 }
 

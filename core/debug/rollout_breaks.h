@@ -27,6 +27,7 @@ struct LeavingRobots {
         std::optional<Nanoseconds> leaves;  ///< where the comparison has it
     };
     std::vector<Robot> robots;
+    std::string real = "real";                  ///< Log::real()
     std::shared_ptr<const Reality> reality;     ///< null: branches do not ask
     std::optional<std::uint32_t> compared = 0;  ///< the branch that is the rollout of the comparison
 };

@@ -98,6 +98,8 @@ struct Log {
     std::vector<RobotLog> robots;
     std::vector<LogFile> files;
     bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
+    /// What its robots, and where they drove, are called beside simulated ones.
+    const char* real() const { return synthetic ? "logged" : "real"; }
     /// What should be there and is not, a sentence each: a file that is empty or missing, the end of one that is cut
     /// off, who carries a barcode. The rest is as sound as ever.
     std::vector<std::string> incomplete = {};

@@ -11,17 +11,26 @@ namespace {
 
 std::string linkCell(double value) { return std::isfinite(value) ? fixedWithMinus(value, 2) : ""; }
 
+std::vector<std::string> linkCells(const std::string& name, const ErrorLinks& links) {
+    std::vector<std::string> cells{name};
+    for (const ErrorLink& link : {links.next, links.beside})
+        for (std::string cell : {linkCell(link.real), linkCell(link.model), std::to_string(link.pairs)})
+            cells.push_back(std::move(cell));
+    return cells;
+}
+
+/// Of all robots, and of each of several.
 std::string linkTable(const SensorEvaluation& evaluation) {
     const std::string real = evaluation.log.real();
     HtmlTable table({{"", {"errors of the"}},
                      {"same subject, next look", {real, "model", "pairs"}},
                      {"another subject, same look", {real, "model", "pairs"}}});
     for (std::size_t d = 0; d < readingDimensions; ++d) {
-        std::vector<std::string> cells{shownDimension(d).name};
-        for (const ErrorLink& link : {evaluation.links[d].next, evaluation.links[d].beside})
-            for (std::string cell : {linkCell(link.real), linkCell(link.model), std::to_string(link.pairs)})
-                cells.push_back(std::move(cell));
-        table.row(cells);
+        const std::vector<LoggedCases::Robot>& robots = evaluation.log.robots;
+        table.row(linkCells(shownDimension(d).name, evaluation.links[d]));
+        for (std::size_t i = 0; robots.size() > 1 && i < robots.size(); ++i)
+            table.row(linkCells(cat(shownDimension(d).name, ", robot ", escaped(robots[i].name)),
+                                evaluation.linksByRobot[i][d]));
     }
     return table.text();
 }
@@ -47,8 +56,9 @@ std::string biasTable(const SensorEvaluation& evaluation) {
 std::string errorLinkSection(const SensorEvaluation& evaluation) {
     return cat(heading("From look to look, and from robot to robot"),
                paragraph("Left: how far two errors go together, as the correlation of what the prediction of each "
-                         "leaves open; 0 is independent, 1 the same. Looks at most 1 s apart. Right: the mean errors "
-                         "of each robot, and those that the model predicts for the same readings."),
+                         "leaves open; 0 is independent, 1 the same. Looks at most 1 s apart. Where there are several "
+                         "robots: of all, then of each. Right: the mean errors of each robot, and those that the "
+                         "model predicts for the same readings."),
                cardPair(card("Correlation of errors", linkTable(evaluation)),
                         card("Biases of robots", biasTable(evaluation))));
 }

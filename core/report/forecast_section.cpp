@@ -82,8 +82,9 @@ std::vector<Point> insideLine(const Forecast& forecast, std::size_t error) {
 }
 
 std::string insideFigure(const Evaluation& evaluation, std::size_t error) {
-    SvgPlot plot = sharePlot(cat("Real values inside the central part, ", errorNames[error]),
-                             "central part of the samples (%)", cat(evaluation.log.real(), " values inside (%)"));
+    SvgPlot plot =
+        sharePlot(cat(capitalised(evaluation.log.real()), " values inside the central part, ", errorNames[error]),
+                  "central part of the samples (%)", cat(evaluation.log.real(), " values inside (%)"));
     const std::vector<Forecast>& forecasts = evaluation.forecasts;
     for (std::size_t i = forecasts.size(); i-- > 0;)
         if (isSampled(forecasts[i])) plot.line(insideLine(forecasts[i], error), seriesClass(i));

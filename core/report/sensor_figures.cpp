@@ -129,7 +129,7 @@ std::string belowFigure(const SensorEvaluation& evaluation, std::size_t dimensio
     const double width = 100.0 / static_cast<double>(below.size());
     const ShownDimension& shown = shownDimension(dimension);
     SvgPlot plot({.width = 540, .height = 220}, {0, 100}, {0, 1.1 * std::max(most, width)},
-                 cat("Where the real ", shown.name, " lies in what is predicted"));
+                 cat("Where the ", evaluation.log.real(), " ", shown.name, " lies in what is predicted"));
     plot.axes(cat("predicted probability of a smaller ", shown.name, " (%)"), "readings (%)");
     for (std::size_t i = 0; i < below.size(); ++i) {
         const double share = 100 * static_cast<double>(below[i]) / all, from = width * static_cast<double>(i);

@@ -82,9 +82,18 @@ Json linksJson(const SensorEvaluation& evaluation) {
     const auto json = [](const ErrorLink& link) {
         return Json{{"pairs", link.pairs}, {"real", link.real}, {"model", link.model}};
     };
-    for (std::size_t d = 0; d < readingDimensions; ++d)
-        links[dimensionKeys[d]] = {{"same_subject_next_look", json(evaluation.links[d].next)},
-                                   {"another_subject_same_look", json(evaluation.links[d].beside)}};
+    const auto both = [&](const ErrorLinks& of) {
+        return Json{{"same_subject_next_look", json(of.next)}, {"another_subject_same_look", json(of.beside)}};
+    };
+    for (std::size_t d = 0; d < readingDimensions; ++d) {
+        links[dimensionKeys[d]] = both(evaluation.links[d]);
+        Json& byRobot = links[dimensionKeys[d]]["robots"] = Json::array();
+        for (std::size_t i = 0; i < evaluation.linksByRobot.size(); ++i) {
+            Json one{{"robot", evaluation.log.robots[i].name}};
+            one.update(both(evaluation.linksByRobot[i][d]));
+            byRobot.push_back(std::move(one));
+        }
+    }
     for (std::size_t i = 0; i < evaluation.means.size(); ++i) {
         Json robot{{"robot", evaluation.log.robots[i].name}};
         for (std::size_t d = 0; d < readingDimensions; ++d) {

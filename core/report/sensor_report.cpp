@@ -276,9 +276,8 @@ std::string sensorDefinitions(const LoggedCases& log) {
     list += definition("detection",
                        "Mean logarithm of the predicted probability of what happened, report or none. "
                        "Probabilities count as 0.0001 at least; 0 would be perfect.");
-    list += definition("worst group off",
-                       "The largest difference between the predicted and the real share of reports "
-                       "among ten equal groups by predicted probability.");
+    list += definition("worst group off", cat("The largest difference between the predicted and the ", log.real(),
+                                              " share of reports among ten equal groups by predicted probability."));
     list += definition("gross errors",
                        cat("Readings more than ", fixed(rule.grossRange, 1), " m or ", fixed(rule.grossBearing, 2),
                            " rad off count as reported; their errors are left out."));

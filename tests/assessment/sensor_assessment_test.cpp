@@ -136,6 +136,24 @@ TEST_F(SensorAssessments, WhatLastsInErrorsIsMeasured) {
     EXPECT_NEAR(links.beside.real, 0.5, 0.03);
 }
 
+/// Of two robots one has errors that last.
+TEST_F(SensorAssessments, WhatLastsInErrorsIsMeasuredOfEachRobotAlone) {
+    LoggedCases cases;
+    cases.robots.resize(2);
+    std::vector<CaseScore> scores;
+    const auto noise = [](std::int64_t i, std::uint32_t channel) { return normalNoise({5, i, 0, channel}); };
+    for (std::uint32_t robot = 0; robot < 2; ++robot)
+        for (int l = 0; l < 1000; ++l) {
+            cases.looks.push_back({robot, 0, fromSeconds(0.5 * l), cases.cases.size(), 1});
+            cases.cases.push_back({.subject = 0, .reported = true, .sound = true});
+            scores.push_back({.below = {normalProbability(robot == 0 ? noise(l, 0) : noise(0, 1)), 0.5}});
+        }
+    EXPECT_NEAR(errorLinks(cases, scores, 0, nullptr, 0).next.real, 0, 0.1);
+    EXPECT_NEAR(errorLinks(cases, scores, 0, nullptr, 1).next.real, 1, 1e-9);
+    EXPECT_EQ(errorLinks(cases, scores, 0, nullptr, 0).next.pairs, 999u);
+    EXPECT_EQ(errorLinks(cases, scores, 0, nullptr).next.pairs, 1998u);
+}
+
 TEST_F(SensorAssessments, AnIdealSensorIsAsGoodAsItsNoise) {
     SensorNetwork like;
     like.view = camera_.view();

@@ -220,8 +220,8 @@ TEST_F(CompareProgram, SaysWhereTheRobotLeavesTheRealTrajectoryAndWhy) {
     const ProgramResult ran = runMrose(with(one, tight));
     EXPECT_EQ(ran.status, 0) << ran.err;
     for (const char* part :
-         {"A robot leaves the real trajectory where it is off by more than 2.0 cm or 3.0° for 0.3 s.",
-          "twin: leaves the real trajectory after ", "  likely cause: ", "tried", "explains", "dead time ",
+         {"A robot leaves the logged trajectory where it is off by more than 2.0 cm or 3.0° for 0.3 s.",
+          "twin: leaves the logged trajectory after ", "  likely cause: ", "tried", "explains", "dead time ",
           "velocity at the start ", "no more than such robots differ from themselves",
           "motion model velocity = command + lag, gains, biases"})
         EXPECT_NE(ran.out.find(part), std::string::npos) << part << '\n' << ran.out;

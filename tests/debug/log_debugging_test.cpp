@@ -106,7 +106,7 @@ TEST(LogDebugging, DebuggerStopsWhereTheComparisonSaysAndGoesBack) {
     debugger.goToBreak({});
     EXPECT_TRUE(debugger.atBreak());
     EXPECT_EQ(debugger.run().tick(), debugger.run().setup().scene().ticksOf(row->divergence->time));
-    EXPECT_THAT(debugger.message(), HasSubstr("leaves the real trajectory"));
+    EXPECT_THAT(debugger.message(), HasSubstr("leaves the logged trajectory"));
     // The simulated robot is where the comparison has it.
     const Pose& pose = debugger.run().state().robots[0].pose;
     const ComparedRollout* rollout = nullptr;

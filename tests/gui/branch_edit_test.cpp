@@ -11,6 +11,7 @@
 #include "gui/window_fixture.h"
 #include "panels/branch_panel.h"
 #include "panels/command_panel.h"
+#include "widgets/inspector.h"
 #include "workflow/open_run.h"
 
 namespace mrose::gui {
@@ -262,6 +263,57 @@ TEST_F(BranchEditTest, DeleteInTheListDeletesABranch) {
     window.actions()["delete_other_branches"].trigger();
     settle();
     EXPECT_EQ(listed(), 1);
+}
+
+TEST_F(BranchEditTest, DifferencesAndValuesAreSeenInWholeRows) {
+    seek(300);
+    window.field().setSelected(3);
+    move(3, 0.3, 0);
+    seek(320);
+    QList<QTreeWidget*> trees = window.branchPanel().findChildren<QTreeWidget*>();
+    trees << window.inspector().findChild<QTreeWidget*>();
+    ASSERT_EQ(trees.size(), 3);
+    for (QTreeWidget* tree : trees)
+        for (int height = 60; height < 80; ++height) {
+            tree->setFixedHeight(height);
+            QApplication::processEvents();
+            const int bottom = tree->viewport()->height() - 1;
+            const QModelIndex last = tree->indexAt({30, bottom});
+            EXPECT_TRUE(!last.isValid() || tree->visualRect(last).bottom() <= bottom)
+                << tree->accessibleName().toStdString() << ' ' << height;
+        }
+}
+
+TEST_F(BranchEditTest, ListOffersWhatCanBeDoneWithTheChosenBranch) {
+    auto* list = window.branchPanel().findChild<QTreeWidget*>();
+    const auto offered = [&] {
+        QStringList texts;
+        for (const QAction* action : list->actions())
+            if (action->isEnabled()) texts << action->text();
+        return texts.join(", ").toStdString();
+    };
+    const auto choose = [&](const char* name) {
+        list->setCurrentItem(list->findItems(name, Qt::MatchExactly | Qt::MatchRecursive).value(0));
+    };
+    EXPECT_EQ(offered(), "Rename") << "of the run alone";
+    seek(300);
+    move(3, 0.3, 0);
+    seek(320);
+    move(2, 0.3, 0);
+    EXPECT_EQ(offered(), "Rename, Delete") << "of the one that is shown";
+    choose("red 4 moved");
+    EXPECT_EQ(offered(), "Show, Rename, Delete") << "compared with the shown one already";
+    choose("the run");
+    EXPECT_EQ(offered(), "Show, Compare with the shown one, Rename");
+    const std::string before = message();
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Delete);
+    settle();
+    EXPECT_EQ(message(), before);
+    EXPECT_EQ(listed(), 3);
+    // One without a name keeps the one that it has.
+    list->currentItem()->setText(0, " ");
+    EXPECT_EQ(list->currentItem()->text(0), "the run");
 }
 
 TEST_F(BranchEditTest, BodiesThatAreDroppedOnOthersAreSetBesideThem) {

@@ -208,7 +208,7 @@ TEST_F(LogWindowTest, PictureOfPlotsNamesLogRolloutModelsAndBound) {
     const std::string rollout = window.session().runName() + " for 10.0 s, " + robot();
     for (const std::string& part : {std::string("random.csv"), rollout, window.overlay().models().all().front().name,
                                     std::string("velocity = command"), std::string("bound"),
-                                    std::string("leaves the real trajectory"), std::string("error (cm)")})
+                                    std::string("leaves the logged trajectory"), std::string("error (cm)")})
         EXPECT_THAT(text, HasSubstr(part));
     const QString colour = markColour(TimelineMark::Kind::divergence, Theme::light()).name();
     EXPECT_GE(qtText(text).count(colour), 6) << "bound and mark of both axes and in the legend";

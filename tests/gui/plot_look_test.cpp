@@ -156,12 +156,19 @@ TEST_F(PlotLookTest, ManyAxesAreScrolledAndNotSqueezed) {
     EXPECT_FALSE(area->verticalScrollBar()->isVisible());
 }
 
+TEST_F(PlotLookTest, CurvesUnderTheNameOfTheirRobotAreCalledByTheirQuantity) {
+    ASSERT_NO_FATAL_FAILURE(openTwo());
+    const std::string first = window.shown()->frame->nameOf(0);
+    plot({"speed", "command_v", "x"}, 0);
+    EXPECT_THAT(legendLines(), ElementsAre(first, "speed", "command_v", "x"));
+}
+
 TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
     ASSERT_NO_FATAL_FAILURE(openTwo());
     const std::string first = window.shown()->frame->nameOf(0), second = window.shown()->frame->nameOf(1);
     plot({"command_v", "v", "real_v", "command_w", "w", "real_w"}, 0);
-    EXPECT_THAT(legendLines(),
-                ElementsAre("v (m/s)", "command", "simulated", "real", "w (rad/s)", "command", "simulated", "real"));
+    EXPECT_THAT(legendLines(), ElementsAre("v (m/s)", "command", "simulated", "logged", "w (rad/s)", "command",
+                                           "simulated", "logged"));
     const QString name = qtText(first);
     EXPECT_EQ(plots().view().titles(), (QStringList{name + ": v (m/s)", name + ": w (rad/s)"}));
     const QFontMetrics metrics(legend().font());
@@ -169,8 +176,8 @@ TEST_F(PlotLookTest, SpeedsAreCalledByWhatDiffers) {
         EXPECT_LT(metrics.horizontalAdvance(legend().topLevelItem(i)->text(0)) + legend().iconSize().width(),
                   legend().columnWidth(0));
     plot({"command_v", "real_v"}, 1);
-    EXPECT_THAT(legendLines(), ElementsAre(first, "command", "simulated", "real", "command", "simulated", "real",
-                                           second, "command", "real"));
+    EXPECT_THAT(legendLines(), ElementsAre(first, "command", "simulated", "logged", "command", "simulated", "logged",
+                                           second, "command", "logged"));
     EXPECT_EQ(plots().view().titles().front(), "v (m/s)");
     // Each line has its own number, and is removed alone.
     EXPECT_EQ(legend().topLevelItem(0)->text(1), "");

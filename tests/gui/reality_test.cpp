@@ -134,6 +134,26 @@ TEST_F(RealityTest, WhoIsNotSeenStandsWhereItWasLastAndIsSaidToBeLost) {
     EXPECT_TRUE(differ(without, with, px({straight.poseAt(5).x + 0.3, -2}), 3));
 }
 
+/// No real robot drove in a log that a simulation made.
+TEST_F(RealityTest, RobotsOfSyntheticLogsAreNotCalledReal) {
+    const auto made = std::make_shared<Log>(*log);
+    made->synthetic = true;
+    log = made;
+    show(3);
+    EXPECT_STREQ(realWord(*frame), "logged");
+    const QString said = field.readoutAt(px(position(frame->poseOf(0))));
+    EXPECT_TRUE(said.contains("logged sim a: ")) << said.toStdString();
+    EXPECT_FALSE(said.contains("real")) << said.toStdString();
+    QImage image(10, 10, QImage::Format_RGB32);
+    QPainter painter(&image);
+    FieldFocus focus;
+    focus.selected = 0;
+    std::vector<FieldLabel> labels;
+    addRealNames({painter, field.transform(), Theme::light()}, *frame, focus, labels);
+    ASSERT_EQ(labels.size(), 1u);
+    EXPECT_TRUE(labels[0].text.startsWith("logged: ")) << labels[0].text.toStdString();
+}
+
 TEST_F(RealityTest, ReadOutSaysHowFarItIs) {
     show(3);
     const Pose real = straight.poseAt(4), simulated = frame->poseOf(0);

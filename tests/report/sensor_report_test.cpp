@@ -7,6 +7,7 @@
 #include "assessment/sensor_queries.h"
 #include "io/file.h"
 #include "io/format.h"
+#include "report/error_link_section.h"
 #include "report/sensor_files.h"
 #include "support/markup.h"
 #include "support/temporary_folder.h"
@@ -72,6 +73,19 @@ TEST_F(SensorReport, SaysSyntheticWhereTheLogIs) {
     EXPECT_THAT(html, HasSubstr("<h3>Logged</h3>"));
 }
 
+TEST_F(SensorReport, CorrelationsAreThoseOfEachOfSeveralRobotsToo) {
+    ASSERT_EQ(evaluation_.log.robots.size(), 1u);
+    EXPECT_THAT(errorLinkSection(evaluation_), Not(HasSubstr("bearing, robot")));
+    evaluation_.log.robots.push_back(evaluation_.log.robots[0]);
+    evaluation_.log.robots[1].name = "<2>";
+    evaluation_.linksByRobot.push_back(evaluation_.linksByRobot[0]);
+    evaluation_.linksByRobot[1][1].next = {77, 0.6180, 0.5};
+    const std::string html = errorLinkSection(evaluation_);
+    EXPECT_EQ(markupError(html), "");
+    EXPECT_THAT(html, HasSubstr("bearing, robot 1"));
+    EXPECT_THAT(html, HasSubstr("bearing, robot &lt;2&gt;</th><td>0.62</td><td>0.50</td><td>77</td>"));
+}
+
 TEST_F(SensorReport, WritesAllFilesWithTheSameFigures) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "made" / "report";
@@ -83,6 +97,8 @@ TEST_F(SensorReport, WritesAllFilesWithTheSameFigures) {
     const SensorScores& all = evaluation_.models[0].all;
     EXPECT_EQ(json["models"][0]["all"]["range"]["crps_m"], all.error[0].crps);
     EXPECT_EQ(json["models"][1]["robots"][0]["robot"], "1");
+    const auto& links = json["errors_in_common"]["correlations"]["range"];
+    EXPECT_EQ(links["robots"][0]["same_subject_next_look"], links["same_subject_next_look"]) << "there is one robot";
     EXPECT_EQ(json["models"][0]["all"]["calibration"].size(), calibrationGroups);
     EXPECT_THAT(*readFile(path / "results.csv"),
                 HasSubstr("\"wide, too\",all," + std::to_string(all.cases) + "," + std::to_string(all.readings)));

@@ -317,6 +317,24 @@ TEST_F(FieldViewTest, NumbersOfTwoTouchesOfAPairDoNotChangePlaces) {
     for (int i = 0; i < 4; ++i) EXPECT_TRUE(differences(first, rendered(view)).empty()) << i;
 }
 
+TEST_F(FieldViewTest, NumbersOfTouchesAreReadOnFloorsAndLines) {
+    FieldFrame frame = frameOfDiscs({{0, 0, 0}, {0.6, 0, 0}});
+    frame.lastTick.contacts = {{0, 1, 0, {0.3, 0}, {1, 0}, 0.57}};
+    Environment field;
+    field.floor.colour = {0x3b, 0x7d, 0x4f};
+    for (const Theme& theme : {Theme::light(), Theme::darkOne()}) {
+        QImage image(10, 10, QImage::Format_RGB32);
+        QPainter painter(&image);
+        std::vector<FieldLabel> labels;
+        drawContacts({painter, view.transform(), theme}, frame, {}, labels);
+        ASSERT_EQ(labels.size(), 1u);
+        for (const QColor& below : {floorColour(field, theme), QColor(Qt::white)}) {
+            const QColor plate = mixed(below, theme.halo, theme.halo.alphaF());
+            EXPECT_GE(contrast(labels[0].colour, plate), 4.5) << below.name().toStdString();
+        }
+    }
+}
+
 TEST_F(FieldViewTest, WhatAnAnswerIsAboutIsNearAndLoudAndTheRestIsQuiet) {
     FieldFrame frame = frameOfDiscs({{0, 0, 0}, {1.2, 1, 0}, {-1.2, 1, 0}}, {0.5, 0, 0});
     frame.lastTick.contacts = {

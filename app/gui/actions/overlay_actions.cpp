@@ -82,12 +82,14 @@ Expected<void> removeModel(Overlay& overlay, const std::string& name) {
 
 void goToDivergence(const WindowFrame& frame, Overlay& overlay) {
     if (overlay.shown().goToDivergence()) return;
-    frame.say(!overlay.rollouts().shown() ? QObject::tr("No rollout of the log is shown")
-              : overlay.comparing().share() < 1
-                  ? QObject::tr("Nothing leaves the real trajectory as far as they are compared")
-              : overlay.rollouts().comparison()
-                  ? QObject::tr("Nothing leaves the real trajectory by more than the bound in any of the rollouts")
-                  : QObject::tr("The rollouts are not compared"));
+    if (!overlay.rollouts().shown()) return frame.say(QObject::tr("No rollout of the log is shown"));
+    const char* const real = overlay.rollouts().world().log().real();
+    frame.say(
+        overlay.comparing().share() < 1
+            ? QObject::tr("Nothing leaves the %1 trajectory as far as they are compared").arg(real)
+        : overlay.rollouts().comparison()
+            ? QObject::tr("Nothing leaves the %1 trajectory by more than the bound in any of the rollouts").arg(real)
+            : QObject::tr("The rollouts are not compared"));
 }
 
 /// The robot of the overlay that a body of the run is.

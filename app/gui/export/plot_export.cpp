@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "debug/real_robot.h"
 #include "export/export_outcome.h"
 #include "export/view_export.h"
 #include "frame/actions.h"
@@ -70,10 +71,13 @@ std::vector<LegendEntry> legendOf(const std::vector<PlotCurve>& curves, const QS
 }
 
 /// What curves are held against, where it is drawn.
-void addReferences(std::vector<LegendEntry>& legend, const PlotPanel& plots, const Theme& theme) {
+void addReferences(std::vector<LegendEntry>& legend, const Exports& exports, const Theme& theme) {
+    const PlotPanel& plots = exports.plots;
     const QColor colour = markColour(TimelineMark::Kind::divergence, theme);
     if (!plots.levels().empty()) legend.push_back({QObject::tr("bound"), QPen(colour, 1, Qt::DashLine)});
-    if (plots.view().instant()) legend.push_back({QObject::tr("upright: leaves the real trajectory"), QPen(colour, 1)});
+    if (plots.view().instant())
+        legend.push_back({QObject::tr("upright: leaves the %1 trajectory").arg(realWord(*exports.frame.shown()->frame)),
+                          QPen(colour, 1)});
 }
 
 /// What was driven, and by whom if it is one.
@@ -123,7 +127,7 @@ Picture plotPicture(const Exports& exports) {
     auto legend = legendOf(curves, plots.ghostName(), time.last < time.end, theme);
     std::set<QString> units;
     for (const PlotCurve& curve : curves) units.insert(curve.unit);
-    addReferences(legend, plots, theme);
+    addReferences(legend, exports, theme);
     const int top = placeLegend(legend, QFontMetrics(font));
     QFont bold = font;
     bold.setBold(true);

@@ -12,6 +12,7 @@
 
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
+#include "widgets/whole_rows.h"
 
 namespace mrose::gui {
 namespace {
@@ -21,7 +22,7 @@ constexpr int rowsAlwaysSeen = 6;
 constexpr int indentation = 12;  // pixels
 
 QTreeWidget* quietTree(const QStringList& header) {
-    auto* tree = new QTreeWidget;
+    auto* tree = new WholeRows<QTreeWidget>;
     tree->setColumnCount(static_cast<int>(header.size()));
     tree->setHeaderLabels(header);
     tree->setFrameShape(QFrame::NoFrame);
@@ -131,8 +132,9 @@ BranchPanel::BranchPanel(QWidget* parent)
     connect(tree_, &QTreeWidget::itemActivated, this,
             [this, branchOf](QTreeWidgetItem* item, int) { emit branchRequested(branchOf(item)); });
     connect(tree_, &QTreeWidget::itemChanged, this, [this, branchOf](QTreeWidgetItem* item, int column) {
-        const QString name = item->text(0).simplified();
-        if (!filling_ && column == 0 && !name.isEmpty()) emit renamed(branchOf(item), name);
+        if (filling_ || column != 0) return;
+        if (const QString name = item->text(0).simplified(); !name.isEmpty()) return emit renamed(branchOf(item), name);
+        setShown(*shown_);  // it keeps its name
     });
     const auto offer = [this](const QString& text, auto run) {
         auto* action = new QAction(text, tree_);
@@ -140,18 +142,29 @@ BranchPanel::BranchPanel(QWidget* parent)
         tree_->addAction(action);
         return action;
     };
-    offer(tr("Show"), [this] {
+    show_ = offer(tr("Show"), [this] {
         if (const auto branch = current()) emit branchRequested(*branch);
     });
-    offer(tr("Compare with the shown one"), [this] {
+    compare_ = offer(tr("Compare with the shown one"), [this] {
         if (const auto branch = current()) emit besideRequested(*branch);
     });
-    offer(tr("Rename"), [this] { editName(); });
-    auto* remove = offer(tr("Delete"), [this] {
+    rename_ = offer(tr("Rename"), [this] { editName(); });
+    delete_ = offer(tr("Delete"), [this] {
         if (const auto branch = current()) emit removalRequested(*branch);
     });
-    remove->setShortcut(QKeySequence::Delete);
-    remove->setShortcutContext(Qt::WidgetShortcut);
+    delete_->setShortcut(QKeySequence::Delete);
+    delete_->setShortcutContext(Qt::WidgetShortcut);
+    connect(tree_, &QTreeWidget::currentItemChanged, this, &BranchPanel::enableOffers);
+    enableOffers();
+}
+
+void BranchPanel::enableOffers() {
+    const auto branch = current();
+    const bool other = shown_ && branch && *branch != shown_->branch;
+    show_->setEnabled(other);
+    compare_->setEnabled(other && branch != shown_->besideBranch);
+    rename_->setEnabled(branch.has_value());
+    delete_->setEnabled(branch && *branch != 0);  // not the run itself
 }
 
 std::optional<std::uint32_t> BranchPanel::current() const {
@@ -181,6 +194,7 @@ void BranchPanel::setShown(const Shown& shown) {
     if (parents != parents_) rebuild(shown);
     refresh(shown);
     compare(shown);
+    enableOffers();
     filling_ = false;
 }
 
@@ -214,9 +228,10 @@ void BranchPanel::refresh(const Shown& shown) {
         if (item.isHidden() != branch.hidden) item.setHidden(branch.hidden);
         item.setText(1, i == 0 ? QString() : clockText(branch.departed * scene.tickLength));
         item.setToolTip(
-            0, tr("%1: from %2 to %3%4\nEnter shows it, F2 names it, Delete deletes it")
+            0, tr("%1: from %2 to %3%4\nEnter shows it, F2 names it%5")
                    .arg(name, clockText(branch.first * scene.tickLength), clockText(branch.last * scene.tickLength),
-                        branch.undone ? tr("\nUndone: Ctrl+Shift+Z makes it again, another change removes it") : ""));
+                        branch.undone ? tr("\nUndone: Ctrl+Shift+Z makes it again, another change removes it") : "",
+                        i == 0 ? "" : tr(", Delete deletes it")));
         QFont font = tree_->font();
         font.setBold(isShown);
         font.setItalic(shown.besideBranch == i);

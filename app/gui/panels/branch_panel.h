@@ -5,6 +5,7 @@
 #include "session/session.h"
 #include "widgets/theme.h"
 
+class QAction;
 class QLabel;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -37,11 +38,14 @@ private:
     void rebuild(const Shown& shown);
     void refresh(const Shown& shown);
     void compare(const Shown& shown);
+    /// What can be done with the one that the keyboard is on.
+    void enableOffers();
     static QString nameOf(const Shown& shown, std::uint32_t branch);
 
     QTreeWidget* tree_;
     QLabel* heading_;
     QTreeWidget* differences_;
+    QAction *show_ = nullptr, *compare_ = nullptr, *rename_ = nullptr, *delete_ = nullptr;
     std::vector<QTreeWidgetItem*> items_;  ///< of each branch
     std::vector<std::uint32_t> parents_;   ///< as the tree shows them
     std::optional<Shown> shown_;

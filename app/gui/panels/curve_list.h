@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "widgets/theme.h"
+#include "widgets/whole_rows.h"
 
 namespace mrose::gui {
 
 /// A legend of the plots with the numbers of an instant; several curves of one body or of one axis under its name.
-class CurveList final : public QTreeWidget {
+class CurveList final : public WholeRows<QTreeWidget> {
     Q_OBJECT
 
 public:

@@ -111,12 +111,12 @@ QString commonEnd(const std::set<QString>& quantities) {
 }
 
 /// Quantities that end alike differ in the rest of their names.
-QString reportingPart(const QString& quantity, const std::set<QString>& all) {
+QString reportingPart(const QString& quantity, const std::set<QString>& all, const Reality* reality) {
     const QString end = commonEnd(all);
     if (end.isEmpty()) return quantity;
     if (quantity != end) {
         const QString left = quantity.chopped(end.size() + 1);
-        return left == "command" ? QObject::tr("command") : left;
+        return left == "real" && reality != nullptr ? reality->real() : left;
     }
     return all.count("real_" + end) > 0 ? QObject::tr("simulated") : quantity;
 }
@@ -134,7 +134,7 @@ QString quantityOf(const ValueKey& key, const PlottedValue& value) {
 }  // namespace
 
 std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
-                                const QString& own, ModelNames names) {
+                                const Reality* reality, const QString& own, ModelNames names) {
     const auto called = [&](const std::string& model) {
         return qtText(names == ModelNames::brief ? briefName(model) : model);
     };
@@ -157,7 +157,7 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         const std::set<QString>& beside = quantities[values[i].unit];
         const QString end = commonEnd(beside), measured = end.isEmpty() ? quantity : end;
         QStringList parts;
-        if (beside.size() > 1) parts << reportingPart(quantity, beside);
+        if (beside.size() > 1) parts << reportingPart(quantity, beside, reality);
         if (models && isError(keys[i]))
             parts << (!keys[i].of.empty() ? called(keys[i].of) : !own.isEmpty() ? own : QObject::tr("run"));
         // An axis of different quantities has no title that tells whose they are.
@@ -170,6 +170,13 @@ std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const 
         one.label = several && !nothing ? body + "  " + one.inGroup : one.inGroup;
         if (several && !nothing) one.group = body;
     }
+    // Under a body's name nothing is called by that.
+    const bool grouped = std::any_of(words.begin(), words.end(), [](const auto& one) { return !one.group.isEmpty(); });
+    for (std::size_t i = 0; grouped && i < words.size(); ++i)
+        if (words[i].group.isEmpty() && !isExpression(keys[i])) {
+            words[i].group = qtText(keys[i].body);
+            words[i].inGroup = words[i].axis;
+        }
     return words;
 }
 

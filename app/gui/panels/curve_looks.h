@@ -33,9 +33,9 @@ struct CurveWords {
     QString axis;      ///< the quantity alone
 };
 /// `own` is the motion model by which the run's robots are moved; empty: not known. Models have their brief names, or
-/// all of them.
+/// all of them. `reality` may be null.
 enum class ModelNames { brief, whole };
 std::vector<CurveWords> wordsOf(std::span<const ValueKey> keys, std::span<const PlottedValue> values,
-                                const QString& own, ModelNames names);
+                                const Reality* reality, const QString& own, ModelNames names);
 
 }  // namespace mrose::gui

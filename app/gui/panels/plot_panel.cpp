@@ -366,7 +366,8 @@ std::vector<PlotCurve> PlotPanel::curvesIn(const Theme& theme, ModelNames names)
     const std::vector<PlottedValue> plotted = valuesOf(shown_, keys_);
     const std::vector<CurveLook> looks = looksOf(keys_, plotted, realityOf(shown_), theme);
     const Foresight* const known = foresight();
-    const std::vector<CurveWords> words = wordsOf(keys_, plotted, known != nullptr ? known->model : QString(), names);
+    const std::vector<CurveWords> words =
+        wordsOf(keys_, plotted, realityOf(shown_), known != nullptr ? known->model : QString(), names);
     std::vector<PlotCurve> curves;
     const auto addCurves = [&](std::uint32_t branch, bool ghost) {
         const std::vector<BranchTicks>& lineage = shown_->branches[branch].lineage;
@@ -408,8 +409,8 @@ void PlotPanel::rebuild() {
 /// Axis after axis, what its curves are held against last. Several axes of one body are named.
 void PlotPanel::updateList() {
     const std::vector<PlottedValue> plotted = valuesOf(shown_, keys_);
-    const std::vector<CurveWords> words =
-        wordsOf(keys_, plotted, foresight() != nullptr ? foresight()->model : QString(), ModelNames::brief);
+    const std::vector<CurveWords> words = wordsOf(
+        keys_, plotted, realityOf(shown_), foresight() != nullptr ? foresight()->model : QString(), ModelNames::brief);
     std::map<QString, std::pair<std::size_t, QString>> axes;  // by unit: its place and its name
     for (std::size_t i = 0; i < plotted.size(); ++i)
         axes.emplace(qtText(plotted[i].unit), std::pair(axes.size(), words[i].axis));
@@ -432,7 +433,7 @@ void PlotPanel::updateList() {
     const QPen dashed(markColour(TimelineMark::Kind::divergence, theme_), 1, Qt::DashLine);
     for (const PlotLevel& level : levels())
         add(dashed, tr("bound"), level.unit,
-            tr("Farther off for 0.3 s it has left the real trajectory; the upright line is where"), {});
+            tr("Farther off for 0.3 s it has left the trajectory of the log; the upright line is where"), {});
     for (const PlotCurve* const curve : shadedOf(view_->curves(), byAxis)) {
         add(expectedPen(*curve, groundOf(theme_)), tr("50 %, fainter: 90 %"), curve->unit,
             tr("Shaded: where half and 90 % of all runs are, by the noise of the robot's motion"), {});

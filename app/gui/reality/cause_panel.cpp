@@ -15,10 +15,10 @@
 
 #include "diagnosis/divergence_text.h"
 #include "io/format.h"
-#include "reality/whole_rows.h"
 #include "widgets/eliding_text.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
+#include "widgets/whole_rows.h"
 
 namespace mrose::gui {
 namespace {
@@ -123,7 +123,7 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
     layout->addWidget(rollout_);
     auto* where = new QHBoxLayout;
     goThere_->setText(tr("Go there"));
-    goThere_->setToolTip(tr("To the instant at which it leaves the real trajectory (D)"));
+    goThere_->setToolTip(tr("To the instant at which it leaves the trajectory of the log (D)"));
     connect(goThere_, &QToolButton::clicked, this, [this] { overlay_.shown().goToDivergence(); });
     for (QWidget* part : {static_cast<QWidget*>(goThere_), static_cast<QWidget*>(causes_)}) {
         QSizePolicy policy = part->sizePolicy();
@@ -154,17 +154,18 @@ QWidget* CausePanel::makeBound() {
     auto *layout = new QHBoxLayout, *below = new QHBoxLayout;
     lines->addLayout(layout);
     lines->addLayout(below);
-    position_ = boundBox(" cm", 1000, tr("It has left the real trajectory when it is farther off than this for 0.3 s"));
-    heading_ =
-        boundBox("\u00b0", 180, tr("It has left the real trajectory when it is turned by more than this for 0.3 s"));
+    position_ =
+        boundBox(" cm", 1000, tr("It has left the trajectory of the log when it is farther off than this for 0.3 s"));
+    heading_ = boundBox("\u00b0", 180,
+                        tr("It has left the trajectory of the log when it is turned by more than this for 0.3 s"));
     learned_ = new QCheckBox(tr("as real robots differ"));
     learned_->setToolTip(
         tr("What 99 of 100 runs of such a robot keep to, by the noise of its network; of a network that does not "
            "know it, three times what its errors on held-out logs make of the path and rotation so far"));
     inForce_ = new QLabel;
     inForce_->setToolTip(
-        tr("From the rollout's start to its end; farther off for 0.3 s it has left the real "
-           "trajectory"));
+        tr("From the rollout's start to its end; farther off for 0.3 s it has left the "
+           "trajectory of the log"));
     layout->addWidget(new QLabel(tr("Bound")));
     layout->addWidget(position_);
     layout->addWidget(heading_);
@@ -247,10 +248,10 @@ void CausePanel::refresh() {
                                  ? tr("It stays within what such robots differ from themselves.")
                                  : tr("It stays within the bound."));
     else
-        divergence_->setText(tr("Leaves the real trajectory after %1 s: %2 cm, %3\u00b0")
-                                 .arg(fixedText(toSeconds(divergence->time), 1),
-                                      fixedText(100 * divergence->position, 1),
-                                      fixedText(degrees * divergence->heading, 1)));
+        divergence_->setText(
+            tr("Leaves the %1 trajectory after %2 s: %3 cm, %4\u00b0")
+                .arg(overlay_.rollouts().world().log().real(), fixedText(toSeconds(divergence->time), 1),
+                     fixedText(100 * divergence->position, 1), fixedText(degrees * divergence->heading, 1)));
     refreshCauses();
 }
 
@@ -284,7 +285,8 @@ void CausePanel::refreshCauses() {
     cause_->setText(likely());
     const auto& finding = overlay_.causes().finding();
     const bool known = finding && finding->diagnosis;
-    onset_->setText(known ? qtText(onsetText(*finding->diagnosis)) : QString());
+    onset_->setText(known ? qtText(onsetText(*finding->diagnosis, overlay_.rollouts().world().log().real()))
+                          : QString());
     causes_->setVisible(known);
     causes_->clear();
     if (!known) return;

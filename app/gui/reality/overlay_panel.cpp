@@ -176,7 +176,7 @@ QWidget* OverlayPanel::makePlan() {
     where->addWidget(restarts_);
     where->addStretch(1);
     layout->addLayout(where);
-    restarts_->setToolTip(tr("At the end of a rollout the next one begins, from where the real robots then are"));
+    restarts_->setToolTip(tr("At the end of a rollout the next one begins, from where the robots of the log then are"));
     connect(cut_, QOverload<int>::of(&QComboBox::activated), this, &OverlayPanel::applyPlan);
     connect(length_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
     connect(start_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
@@ -215,9 +215,9 @@ QWidget* OverlayPanel::makeModels() {
     models_->setHeaderLabels({tr("Model"), tr("Position\n% of path"), tr("Heading\n% of turn"), tr("End, cm\n(median)"),
                               tr("End, \u00b0\n(median)")});
     models_->headerItem()->setToolTip(
-        1, tr("P: mean distance to the real robot, in percent of the path that it drove, over all windows"));
+        1, tr("P: mean distance to the robot of the log, in percent of the path that it drove, over all windows"));
     models_->headerItem()->setToolTip(
-        2, tr("Hd: mean heading error, in percent of how far the real robot turned, over all windows"));
+        2, tr("Hd: mean heading error, in percent of how far that turned, over all windows"));
     models_->headerItem()->setToolTip(3, tr("Distance at the end of a rollout, the median"));
     models_->headerItem()->setToolTip(4, tr("Heading error at the end of a rollout, the median"));
     models_->setRootIsDecorated(false);

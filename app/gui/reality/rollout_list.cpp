@@ -18,11 +18,11 @@ constexpr RolloutColumn rolloutColumns[] = {
     {QT_TR_NOOP("Robot"), QT_TR_NOOP("The simulated robot")},
     {QT_TR_NOOP("Session"), QT_TR_NOOP("Which of the log's trajectories")},
     {QT_TR_NOOP("From"), QT_TR_NOOP("Where in the log the rollout begins, min:s")},
-    {QT_TR_NOOP("Error\ncm"), QT_TR_NOOP("Distance to the real robot, the mean over the rollout")},
+    {QT_TR_NOOP("Error\ncm"), QT_TR_NOOP("Distance to the robot of the log, the mean over the rollout")},
     {QT_TR_NOOP("% of\npath"),
-     QT_TR_NOOP("The same in percent of the path that the real robot drove; not where that is short")},
+     QT_TR_NOOP("The same in percent of the path that the robot of the log drove; not where that is short")},
     {QT_TR_NOOP("Head.\n\u00b0"), QT_TR_NOOP("Heading error, the mean over the rollout")},
-    {QT_TR_NOOP("Leaves\ns"), QT_TR_NOOP("When it first leaves the real trajectory by more than the bound")},
+    {QT_TR_NOOP("Leaves\ns"), QT_TR_NOOP("When it first leaves the trajectory of the log by more than the bound")},
     {QT_TR_NOOP("Drives"), QT_TR_NOOP("What it is commanded; or why the rollout does not count in the models' errors")},
 };
 
@@ -133,12 +133,11 @@ QString RolloutList::tip(const RolloutRow& row) const {
         words += tr("; the ground truth has a gap in it: it does not count in the models' errors");
     if (row.use == RolloutUse::still) {
         const double part = toSeconds(row.length) / 10;
-        words +=
-            tr("; the real robot drives %1 cm and turns %2\u00b0 in it, less than %3 cm and %4\u00b0: too little to "
-               "divide errors by, so that it does not count in the models' errors")
-                .arg(fixedText(100 * row.path, 0), fixedText(degrees * row.rotation, 0),
-                     fixedText(100 * part * WindowOptions{}.leastPath, 0),
-                     fixedText(degrees * part * WindowOptions{}.leastRotation, 0));
+        words += tr("; the %1 robot drives %2 cm and turns %3\u00b0 in it, less than %4 cm and %5\u00b0: too little to "
+                    "divide errors by, so that it does not count in the models' errors")
+                     .arg(world_->world().log().real(), fixedText(100 * row.path, 0),
+                          fixedText(degrees * row.rotation, 0), fixedText(100 * part * WindowOptions{}.leastPath, 0),
+                          fixedText(degrees * part * WindowOptions{}.leastRotation, 0));
     }
     return words;
 }

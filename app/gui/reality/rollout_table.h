@@ -3,7 +3,7 @@
 #include <array>
 
 #include "reality/rollout_list.h"
-#include "reality/whole_rows.h"
+#include "widgets/whole_rows.h"
 
 namespace mrose::gui {
 

@@ -98,7 +98,8 @@ bool ShownRollout::goToDivergence() {
     }
     const auto next = rollouts_.nextLeft();
     if (!next) return false;
-    frame_.status.say(tr("Nothing leaves the real trajectory in the one before; in this it does"));
+    frame_.status.say(
+        tr("Nothing leaves the %1 trajectory in the one before; in this it does").arg(rollouts_.world().log().real()));
     Then then;
     then.toDivergence = true;
     return show(*next, {}, then);

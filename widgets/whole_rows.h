@@ -2,7 +2,7 @@
 
 #include <QTreeView>
 
-namespace mrose::gui {
+namespace mrose {
 
 /// A tree that shows whole rows only: one that does not fit in at the lower end is scrolled to.
 template <class View>
@@ -24,4 +24,4 @@ private:
     bool fits(const QRect& row) const { return row.top() <= 0 || row.bottom() < View::viewport()->height(); }
 };
 
-}  // namespace mrose::gui
+}  // namespace mrose
