@@ -12,7 +12,8 @@ namespace {
 constexpr Nanoseconds gridStep = 100'000'000;
 constexpr std::size_t gridSteps = 5;  // in one of its own
 constexpr Nanoseconds stepLength = gridSteps * gridStep;
-constexpr double forgetting = 60;  // s
+constexpr double forgetting = 60;    // s
+constexpr double keptByAStep = 0.3;  // of what was seen before the heading turned at once
 /// From an instant of the grid until it is known: poses that are part of its truth come by then, or there is none.
 constexpr Nanoseconds untilKnown = truthGap;
 
@@ -53,6 +54,8 @@ TrackerHistory::TrackerHistory(const Trajectory& trajectory, const MotionModel& 
     const std::vector<TruthJump> jumps =
         truthJumps(trajectory, grid.start - truthSmoothed, trajectory.poses.back().time);
     auto jump = jumps.begin();
+    steps_ = headingSteps(trajectory);
+    auto turned = steps_.begin();
     const double kept = decay(toSeconds(stepLength) / forgetting);
     TrackerEvidence evidence;
     for (std::size_t step = 0; step < expected.size(); ++step) {
@@ -74,6 +77,7 @@ TrackerHistory::TrackerHistory(const Trajectory& trajectory, const MotionModel& 
         const double sideways = sidewaysOfWay(start, std::span(grid.poses).subspan(begin + 1, gridSteps)) -
                                 sidewaysOfWay(start, expected[step]);
         evidence.fade(kept);
+        for (; turned != steps_.end() && turned->known <= end + untilKnown; ++turned) evidence.fade(keptByAStep);
         if (sound) evidence.add(rotation, forward, sideways);
         evidence_.push_back(evidence);
     }
@@ -81,8 +85,13 @@ TrackerHistory::TrackerHistory(const Trajectory& trajectory, const MotionModel& 
 
 TrackerEvidence TrackerHistory::at(Nanoseconds time) const {
     if (evidence_.empty() || time < first_) return {};
-    const auto steps = static_cast<std::size_t>((time - first_) / stepLength);
-    return evidence_[std::min(steps, evidence_.size() - 1)];
+    const auto index = std::min(static_cast<std::size_t>((time - first_) / stepLength), evidence_.size() - 1);
+    TrackerEvidence evidence = evidence_[index];
+    const Nanoseconds known = first_ + static_cast<Nanoseconds>(index) * stepLength;
+    for (auto step = std::ranges::upper_bound(steps_, known, {}, &HeadingStep::known);
+         step != steps_.end() && step->known <= time; ++step)
+        evidence.fade(keptByAStep);
+    return evidence;
 }
 
 const TrackerHistory& TrackerHistories::of(const Trajectory& trajectory, const MotionModel& model) {

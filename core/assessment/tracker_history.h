@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/rollout.h"
+#include "assessment/truth_jumps.h"
 #include "geometry/tracker_offset.h"
 #include "logs/robot_log.h"
 
@@ -25,6 +26,7 @@ public:
 private:
     Nanoseconds first_ = 0;                  ///< when evidence_[0] was known
     std::vector<TrackerEvidence> evidence_;  ///< every 0.5 s
+    std::vector<HeadingStep> steps_;
 };
 
 /// The histories of trajectories, each made when it is first asked for. Trajectories and models must stay.

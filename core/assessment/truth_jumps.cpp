@@ -1,6 +1,7 @@
 #include "assessment/truth_jumps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/point.h"
@@ -12,6 +13,8 @@ namespace {
 
 constexpr Nanoseconds commandedBefore = 2 * nanosecondsPerSecond;
 constexpr double timesCommanded = 2, leastDistance = 0.1, leastTurn = 0.3;  // m, rad
+constexpr std::size_t aside = 5;                                            // poses on either side
+constexpr double leastStep = 0.012;                                         // rad
 
 /// The largest speeds commanded between two instants, with the command in force at the first one.
 Command fastestCommanded(const std::vector<StampedCommand>& commands, Nanoseconds from, Nanoseconds to) {
@@ -50,6 +53,24 @@ std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from
         since = at->time;
     }
     return jumps;
+}
+
+std::vector<HeadingStep> headingSteps(const Trajectory& trajectory) {
+    const std::vector<StampedPose>& poses = trajectory.poses;
+    std::vector<HeadingStep> steps;
+    for (std::size_t i = aside; i + aside + 1 < poses.size(); ++i) {
+        const Nanoseconds known = poses[i + 1 + aside].time;
+        if (known - poses[i - aside].time > nanosecondsPerSecond / 2) continue;
+        std::array<double, 2 * aside + 1> turns;
+        for (std::size_t k = 0; k < turns.size(); ++k) {
+            const StampedPose* const pose = &poses[i - aside + k];
+            turns[k] = wrapAngle(pose[1].pose.heading - pose[0].pose.heading);
+        }
+        const double turn = turns[aside];
+        std::nth_element(turns.begin(), turns.begin() + aside, turns.end());
+        if (std::abs(turn - turns[aside]) > leastStep) steps.push_back({poses[i + 1].time, known});
+    }
+    return steps;
 }
 
 }  // namespace mrose

@@ -21,4 +21,13 @@ constexpr Nanoseconds truthSmoothed = 100'000'000;
 /// next one move in stairs.) None where its commands are not known.
 std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from, Nanoseconds to);
 
+/// The tracked heading turns all at once: from one pose to the next by 12 mrad more than between most of the five poses
+/// before and the five after, which lie within half a second. Trackers do that where they take other markers for the
+/// robot's, and robots hardly do; where it lies on the robot may be another one from there on.
+struct HeadingStep {
+    Nanoseconds time = 0;   ///< of the pose after it
+    Nanoseconds known = 0;  ///< of the pose by which it is known
+};
+std::vector<HeadingStep> headingSteps(const Trajectory& trajectory);
+
 }  // namespace mrose

@@ -87,7 +87,7 @@ TEST(ShippedNetworks, CreateMeetsItsBoundsOnDataThatNothingWasChosenOn) {
     ASSERT_TRUE(log) << log.error().message();
     const Summary ours = openLoop(shipped("create.net"), *log, {"1", "2"}).all;
     EXPECT_EQ(ours.windows, 162u);
-    EXPECT_LT(ours.p, 1.77) << "1.78 by a network that is not told how the tracked points lie";
+    EXPECT_LT(ours.p, 1.72) << "1.78 by a network that is not told how the tracked points lie";
     EXPECT_LT(ours.hd, 4.6);
     EXPECT_GT(ours.p, 1.2) << "below the floor: something reads what it may not";
     const Summary paper = openLoop(shipped("create_paper.net"), *log, {"1", "2"}).all;

@@ -39,11 +39,42 @@ TEST(TrackerHistory, FollowsAMarkerThatIsKnocked) {
     const TrackerOffset before{-0.04, 0.03}, after{0.02, -0.4};
     const TrackerHistory point(trackedBy(before, 100 * second, after), obedient);
     EXPECT_NEAR(point.at(99 * second).offset().rotated, before.rotated, 1e-3);
-    EXPECT_NEAR(point.at(160 * second).offset().rotated, after.rotated + (before.rotated - after.rotated) / std::exp(1),
-                0.03)
-        << "what is a minute old counts 1/e";
     EXPECT_NEAR(point.at(290 * second).offset().rotated, after.rotated, 0.03)
         << "the heading jumped by 25 deg, which is left out";
+}
+
+/// By 40 mrad, in a second or all at once.
+TEST(TrackerHistory, CountsWhatWasSeenBeforeForLessWhereTheHeadingTurnsAtOnce) {
+    const TrackerOffset before{-0.04, 0.01}, after{-0.04, 0.05};
+    const auto turnedWithin = [&](Nanoseconds lasts) {
+        Trajectory trajectory = trackedBy(before);
+        for (StampedPose& stamped : trajectory.poses)
+            stamped.pose.heading += (after.rotated - before.rotated) *
+                                    std::clamp(toSeconds(stamped.time - 100 * second) / toSeconds(lasts), 0.0, 1.0);
+        return TrackerHistory(trajectory, obedient);
+    };
+    const TrackerHistory slowly = turnedWithin(second), atOnce = turnedWithin(1);
+    const auto share = [&](const TrackerHistory& point, Nanoseconds time) {
+        return (after.rotated - point.at(time).offset().rotated) / (after.rotated - before.rotated);
+    };
+    // Of what is remembered after T s exp(-T/60) is of before; where that counts 0.3, so much of the rest.
+    const double old = std::exp(-1), new_ = 1 - old;
+    EXPECT_NEAR(share(slowly, 160 * second), old, 0.05) << "what is a minute old counts 1/e";
+    EXPECT_NEAR(share(atOnce, 160 * second), 0.3 * old / (0.3 * old + new_), 0.05);
+    EXPECT_NEAR(share(atOnce, 99 * second), 1, 0.03);
+}
+
+/// What is learned of the marker next is believed sooner from the instant on at which the step is known.
+TEST(TrackerHistory, KnowsOfAStepOnceItIsSeen) {
+    Trajectory trajectory = trackedBy({-0.04, 0.03});
+    for (StampedPose& stamped : trajectory.poses)
+        if (stamped.time >= 100 * second) stamped.pose.heading += 0.04;
+    const TrackerHistory point(trajectory, obedient);
+    const TrackerOffset doubted{0, 0.5};
+    const double unaware = point.at(100 * second + 99 * ms).offset(doubted).rotated,
+                 aware = point.at(100 * second + 100 * ms).offset(doubted).rotated;
+    EXPECT_GT(aware, unaware + 1e-4) << "less evidence against what was thought before";
+    EXPECT_EQ(point.at(100 * second + 99 * ms).offset().rotated, point.at(100 * second).offset().rotated);
 }
 
 /// At instants just before and after those at which a step becomes known, of trackers that are fast and slow.

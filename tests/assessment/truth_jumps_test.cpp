@@ -1,0 +1,45 @@
+#include "assessment/truth_jumps.h"
+
+#include <gtest/gtest.h>
+
+#include "assessment/test_models.h"
+#include "support/units.h"
+#include "world/noise.h"
+
+namespace mrose {
+namespace {
+
+/// Tracked so often in a second with 1 mrad of noise, in bends of up to 1.5 rad/s; from 10 s on turned by `step` rad.
+Trajectory turnedBy(double step, int rate) {
+    Trajectory trajectory = obedientTrajectory(
+        0, 20 * second,
+        [](double t) {
+            return Command{0.2, 1.5 * std::sin(2 * t)};
+        },
+        rate);
+    std::int64_t index = 0;
+    for (StampedPose& stamped : trajectory.poses) {
+        stamped.pose.heading += 0.001 * normalNoise({1, index++, 0, 0});
+        if (stamped.time >= 10 * second) stamped.pose.heading += step;
+        stamped.pose.heading = wrapAngle(stamped.pose.heading);
+    }
+    return trajectory;
+}
+
+TEST(HeadingSteps, AreThoseOfTheTrackerWhateverTheRobotTurns) {
+    for (const double step : {0.03, -0.03, 0.3, 3.0}) {
+        const auto steps = headingSteps(turnedBy(step, 50));
+        ASSERT_EQ(steps.size(), 1u) << step;
+        EXPECT_EQ(steps[0].time, 10 * second);
+        EXPECT_EQ(steps[0].known, 10 * second + 100 * ms) << "five poses later";
+    }
+    EXPECT_TRUE(headingSteps(turnedBy(0.004, 50)).empty());
+}
+
+TEST(HeadingSteps, AreNotToldOfATrackerThatIsSlow) {
+    EXPECT_TRUE(headingSteps(turnedBy(0.3, 10)).empty());
+    EXPECT_TRUE(headingSteps({}).empty());
+}
+
+}  // namespace
+}  // namespace mrose
