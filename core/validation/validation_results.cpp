@@ -78,17 +78,19 @@ private:
             CellRuns& runs = result_.cells[place];
             ++runs.runs;
             runs.unfinished += cells[end_] == name(RunEnd::duration) ? 1 : 0;
-            runs.faulty += cells[end_] == name(RunEnd::fault) ? 1 : 0;
+            runs.faulty += isFaulty(row) ? 1 : 0;
             runs.hours += table_.number(row, time_) / secondsAnHour;
             runs_[{wholeOf<std::uint32_t>(cells[0]), wholeOf<std::uint64_t>(cells[1])}].row[place] = row;
         }
     }
 
-    /// A run's number; NaN: it is not known, or there is no such run.
+    /// A run's number; NaN: it is not known, a fault ended the run, or there is no such run.
     double valueOf(const PairedRun& run, std::size_t place, std::size_t measure) const {
-        const double value = run.row[place] ? table_.number(*run.row[place], columns_[measure]) : missing;
+        if (!run.row[place] || isFaulty(*run.row[place])) return missing;
+        const double value = table_.number(*run.row[place], columns_[measure]);
         return std::isfinite(value) ? value : missing;
     }
+    bool isFaulty(std::size_t row) const { return table_.rows[row][end_] == name(RunEnd::fault); }
     bool isRun(std::size_t place) const { return place < validation_.experiment.variants.size(); }
 
     double realValue(std::uint32_t trial, bool after, std::size_t measure) const {

@@ -19,8 +19,8 @@ struct CellRuns {
     bool measured = false;  ///< in reality, by a CSV: of its runs nothing more is known
     std::int64_t runs = 0;
     std::int64_t unfinished = 0;  ///< not ended by `until`
-    std::int64_t faulty = 0;
-    double hours = 0;  ///< simulated
+    std::int64_t faulty = 0;      ///< ended by a fault: of no measure they have a number
+    double hours = 0;             ///< simulated
 };
 
 /// A trial's four numbers, by the cells' places: the mean over its seeds.

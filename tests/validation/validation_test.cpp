@@ -339,6 +339,26 @@ TEST_F(ValidationTest, TrialsWithoutANumberAreLeftOutAndCounted) {
     EXPECT_THAT(refused.error().message(), HasSubstr("expected 1 or 0"));
 }
 
+/// A controller that crashes gains nothing by it, whatever was measured until then.
+TEST_F(ValidationTest, RunsThatAFaultEndedHaveNoNumber) {
+    const auto validation = read(text_);
+    ASSERT_TRUE(validation) << validation.error().message();
+    validated(*validation);
+    const std::size_t end = results_.columnOf("end"), way = results_.columnOf("measure.way_m");
+    for (std::vector<std::string>& row : results_.rows)
+        if (row[0] <= "105" && row[results_.columnOf("variant")] == "2") row[end] = "fault", row[way] = "1000.0";
+    const auto result = validationResult(*validation, results_);
+    ASSERT_TRUE(result) << result.error().message();
+    EXPECT_EQ(result->cells[1].faulty, 5);
+    for (const MeasureValidation& of : result->measures) {
+        EXPECT_EQ(of.leftOut, 5u);
+        EXPECT_EQ(of.trials.front().trial, 106u);
+    }
+    EXPECT_NEAR(result->measures[0].gain[0].value, 1.2, 1e-9);
+    for (const Disagreement& one : result->disagreements) EXPECT_LT(one.simulated, 3);
+    EXPECT_THAT(validationReportHtml(*validation, *result, results_, {}), HasSubstr("left out: ended by a fault"));
+}
+
 TEST_F(ValidationTest, PageSaysWhatSurvivesAndWhereTheyDisagree) {
     texts_["r.toml"] += "[motion_noise]\ndistance_per_distance = 0.5\n";
     options_.window = "mrose-gui v.toml";
