@@ -185,7 +185,7 @@ private:
         const Value* const named = table.has("set") ? table.value("set") : nullptr;
         if (named == nullptr || named->asTable() == nullptr) return;
         ScenarioValue varied = base_.scenario;  // one may be within what another has set
-        for (const auto& [path, value] : *named->asTable()) {
+        for (const auto& [path, value] : generalFirst(*named->asTable())) {
             sets.value(path);
             if (root_.failed()) return;
             auto changed = varied.with(path, value);
