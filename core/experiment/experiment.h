@@ -44,6 +44,7 @@ struct VariantSummary {
     std::int64_t runs = 0;
     std::int64_t ended = 0;   ///< by `until`
     std::int64_t faulty = 0;  ///< by a fault
+    std::string firstFault;   ///< with its trial
     std::vector<MeasureSummary> measures;
 };
 
@@ -58,8 +59,9 @@ struct ExperimentSummary {
 
 /// Runs what is not done yet, each trial with each seed by each variant. A row is kept at once in
 /// `folder`/results.part.csv; when all are done, results.csv has them in order. It is the same for any number of
-/// threads. A run ends by `until`, at a fault, or after the experiment's duration; what was wrong is in its row. Error:
-/// of the expressions and of what trials are made of, before the first run; as of runBatch().
+/// threads. A run ends by `until`, at a fault, or after the experiment's duration; what was wrong is in its row, also
+/// where its trial cannot be made or an expression not be answered. Error: of the expressions and of what trials are
+/// made of, as far as the first trial and the ends of draws tell, before the first run; as of runBatch().
 Expected<ExperimentSummary> runExperiment(const Experiment& experiment, const ExperimentOptions& options,
                                           const std::filesystem::path& folder);
 

@@ -24,6 +24,9 @@ std::string experimentRow(const Experiment& experiment, const RunKey& key, const
                           const TrialMeasurement& measurement, const RunResult& result, Nanoseconds tick,
                           const RunCommands& commands);
 
+/// Of a run that could not be begun, and why.
+std::string faultyRow(const Experiment& experiment, const RunKey& key, const Error& error, const RunCommands& commands);
+
 /// What such a row says of the run.
 struct RowOutcome {
     bool faulty = false;           ///< it ended by a fault

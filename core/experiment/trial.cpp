@@ -264,8 +264,7 @@ Expected<void> TrialMaker::checkExpressions(std::uint32_t number, const DrawnVal
     const WorldState start = scenario.initialState();
     const std::vector<RobotInsight> none(start.robots.size());
     const Moment moment{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
-    if (const auto compiled = expressions_.of(moment); !compiled) return tl::unexpected(compiled.error());
-    return expressions_.checkEntries(moment);
+    return expressions_.check(moment);
 }
 
 }  // namespace mrose

@@ -155,7 +155,7 @@ Expected<LoadedScenario> goingOnFrom(const BranchPoint& point, const LoadedScena
                                      const PluginLoader& plugins) {
     if (!point.isReached())
         return fail("", point.before.end == RunEnd::fault
-                            ? "before it branched, a controller failed: " + point.before.statistics.firstFault
+                            ? "before it branched, there was a fault: " + point.before.statistics.firstFault
                             : "it does not come to hold");
     const Scenario scenario(variant.parts);
     const auto value = withState(variant.value, scenario, branchedState(point, scenario, point.before.state.seed));
