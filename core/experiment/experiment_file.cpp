@@ -208,7 +208,9 @@ private:
     }
     /// Puts it there for all trials.
     void keep(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
-        auto changed = experiment_.scenario.with(path, resolved(table, key, path, value));
+        Value kept = resolved(table, key, path, value);
+        kept.line = kept.column = 0;  // they are none of the scenario's file
+        auto changed = experiment_.scenario.with(path, std::move(kept));
         if (!changed) return table.reject(key, changed.error().cause);
         experiment_.scenario = std::move(*changed);
     }
