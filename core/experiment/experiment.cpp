@@ -94,6 +94,8 @@ private:
     void keep(const RunKey& key, const std::string& row) {
         const std::lock_guard lock(mutex_);
         if (stop_ || file_.has(key)) return;
+        if (options_.fits)
+            if (const auto fits = options_.fits(key, rowOutcome(experiment_, row)); !fits) return failNow(fits.error());
         if (const auto kept = file_.add(key, row); !kept) return failNow(kept.error());
         ++done_;
         if (options_.progress) options_.progress(done_, runs_);

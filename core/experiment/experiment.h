@@ -16,6 +16,12 @@
 
 namespace mrose {
 
+/// What a row of the results says of the run.
+struct RowOutcome {
+    bool faulty = false;           ///< it ended by a fault
+    std::vector<double> measures;  ///< to the last bit; NaN where it is not known
+};
+
 struct ExperimentOptions {
     /// Its loader of plug-ins is called by several threads at once.
     ScenarioLoading loading = {};
@@ -27,6 +33,8 @@ struct ExperimentOptions {
     std::function<void(const RunKey&)> begins = {};                          ///< as of BatchOptions
     std::function<void(std::int64_t done, std::int64_t all)> progress = {};  ///< likewise
     GoesOn goesOn = {};                                                      ///< likewise
+    /// Asked what a run came to, before its row is kept; an error ends all. May be empty.
+    std::function<Expected<void>(const RunKey&, const RowOutcome&)> fits = {};
 };
 
 /// What the runs of a variant have of a feature or a measure.

@@ -92,6 +92,8 @@ private:
             measure.unit = table.stringOr("unit", "");
             measure.lessIsBetter = table.choice("better", {"less", "more"}) == 0;
             measure.yesNo = table.booleanOr("yes_no", false);
+            if (const Value* const at = table.value(table.has("yes_no") ? "yes_no" : "name"))
+                measure.line = at->line, measure.column = at->column;
             table.rejectUnknown();
             if (root_.failed()) return;
             std::string known;

@@ -31,6 +31,14 @@ Number wholeOf(const std::string& cell) {
     return number;
 }
 
+tl::unexpected<Error> notYesNo(const Validation& validation, const ValidatedMeasure& measure, double value,
+                               std::uint32_t trial) {
+    return tl::unexpected(Error{validation.file, static_cast<int>(measure.line), static_cast<int>(measure.column),
+                                "measure[\"" + measure.name + "\"]",
+                                "is " + numberText(value) + " in trial " + std::to_string(trial) +
+                                    "; expected 1 or 0 of a measure of yes and no"});
+}
+
 class ResultReader {
 public:
     ResultReader(const Validation& validation, const ResultsTable& table) : validation_(validation), table_(table) {}
@@ -115,11 +123,7 @@ private:
             for (std::size_t place = 0; place < validationCells; ++place) {
                 const double value = values[place];
                 const bool share = isRun(place) ? value == 0 || value == 1 : value >= 0 && value <= 1;
-                if (of.measure.yesNo && !share)
-                    return fail(validation_.file,
-                                "is " + numberText(value) + " in trial " + std::to_string(key.first) +
-                                    "; expected 1 or 0 of a measure of yes and no",
-                                0, "measure[\"" + of.measure.name + "\"]");
+                if (of.measure.yesNo && !share) return notYesNo(validation_, of.measure, value, key.first);
                 sum.of[place] += value;
             }
             sum.seeds += 1, runs += 1;
@@ -230,6 +234,17 @@ std::string cellsOf(const Estimate& estimate) {
 }
 
 }  // namespace
+
+Expected<void> checkOutcome(const Validation& validation, const RunKey& key, const RowOutcome& outcome) {
+    const std::vector<Measure>& all = validation.experiment.measures;
+    for (const ValidatedMeasure& measure : validation.measures) {
+        const auto place = std::ranges::find(all, measure.name, &Measure::name) - all.begin();
+        const double value = outcome.measures[static_cast<std::size_t>(place)];
+        if (measure.yesNo && !outcome.faulty && std::isfinite(value) && value != 0 && value != 1)
+            return notYesNo(validation, measure, value, key.trial);
+    }
+    return {};
+}
 
 Expected<ValidationResult> validationResult(const Validation& validation, const ResultsTable& results) {
     return ResultReader(validation, results).read();

@@ -78,6 +78,7 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
     options.begins = watch.runBegins;
     options.progress = watch.progress;
     options.goesOn = watch.goesOn;
+    options.fits = watch.fits;
     auto summary = runExperiment(experiment, options, request.folder);
     if (!summary || !summary->complete) return summary;
     ReportContext context;
