@@ -48,7 +48,8 @@ TEST_F(RunProgram, SeedTrialAndDurationDecideTheRun) {
     };
     const std::string plain = hash({});
     EXPECT_EQ(hash({}), plain);
-    EXPECT_EQ(hash({"--seed", "5", "--trial", "0", "--duration", "3"}), plain);
+    EXPECT_EQ(hash({"--seed", "5", "--duration", "3"}), plain);
+    expectOneLine(play("run", {"--trial", "0"}), {"--trial: 0 is below 1"}, 2);
     EXPECT_EQ(hash({"--check-rewind"}), plain);
     EXPECT_EQ(hash({"--isolate"}), plain) << "there is no plug-in";
     EXPECT_NE(hash({"--seed", "6"}), plain);
