@@ -105,6 +105,25 @@ TEST_F(RunProgram, TrialOfAnExperimentSaysWhatItMeasured) {
     EXPECT_NE(text.find("measure.time_s"), std::string::npos) << text;
 }
 
+TEST_F(RunProgram, WhatAnExperimentSetsItselfIsNotOverridden) {
+    write("x.toml",
+          "format = \"mrose experiment\"\nversion = 1\nname = \"x\"\nscenario = \"" + game() +
+              "\"\ntrials = 1\n"
+              "duration_s = 0.5\n[[draw]]\nname = \"x\"\npath = 'robot[\"two\"].start.x_m'\nfrom = 0.5\nto = 0.6\n"
+              "[[variant]]\nname = \"one way\"\nset = { \"robot[2].start.heading_deg\" = 10, "
+              "\"robot[1].start.heading_deg\" = 10 }\n"
+              "[[variant]]\nname = \"another\"\nset = { \"robot[2].start.heading_deg\" = 20 }\n");
+    const auto set = [&](const std::string& assignment) {
+        return runMrose({"run", path("x.toml"), "--quiet", "--set", assignment});
+    };
+    expectOneLine(set("robot[2].start.x_m=1"),
+                  {"--set robot[2].start.x_m: does nothing in this experiment: it is drawn by \"x\" for each trial"});
+    expectOneLine(set("robot[\"two\"].start.heading_deg=1"), {"each variant sets it"});
+    expectOneLine(set("seed=1"), {"each run has a seed of its own"});
+    EXPECT_EQ(set("robot[1].start.heading_deg=1").status, 0) << "the other variant has it";
+    EXPECT_EQ(set("robot[*].start.heading_deg=1").status, 0) << "another robot, too";
+}
+
 TEST_F(RunProgram, ConditionEndsIt) {
     EXPECT_THAT(play("run", {"--until", "time > 99", "--duration", "1"}).out,
                 testing::HasSubstr(": 1.00 s, in which the condition was never met"));
