@@ -37,7 +37,9 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
         if (!variant.measures.empty()) std::fputs(table.text().c_str(), stdout);
         std::fputs(counted(static_cast<std::size_t>(variant.runs), "run").c_str(), stdout);
         if (summary.until) std::printf(", %lld ended by `until`", static_cast<long long>(variant.ended));
-        if (variant.faulty > 0) std::printf(", %lld by a fault", static_cast<long long>(variant.faulty));
+        if (variant.faulty > 0)
+            std::printf(", %lld by a fault, the first in %s", static_cast<long long>(variant.faulty),
+                        variant.firstFault.c_str());
         std::puts("");
     }
     printEnd({summary.runs, summary.done, summary.resumed, summary.complete}, seconds, request.folder);

@@ -225,11 +225,9 @@ Subcommand addRun(CLI::App& app, CommonFlags& common) {
     addSeed(*sub, common);
     addOverwrite(*sub, common);
     addScenarioFlags(*sub, request.scenario, request.duration, request.until);
-    sub->add_option(
-           "--trial", request.scenario.trial,
-           "Start as this trial of a batch or an experiment does; 0: as the scenario says, the experiment's first")
+    sub->add_option("--trial", request.scenario.trial, "Start as this trial of a batch or an experiment does")
         ->check(someTrial())
-        ->capture_default_str();
+        ->default_str("as the scenario says, the experiment's first");
     sub->add_option("--variant", request.scenario.variant, "Which variant of an experiment")->check(someName());
     sub->add_option("--speed", flags->speed, "Times real time; 0: as fast as it goes")
         ->check(numberRange(0.0, 1e6))

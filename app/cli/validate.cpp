@@ -35,6 +35,10 @@ void print(const Validation& validation, const ValidationResult& result) {
                     gainWithIntervalText(of.measure, negated(of.worse[0])).c_str(), validation.after.c_str(),
                     gainWithIntervalText(of.measure, negated(of.worse[1])).c_str());
     }
+    for (const CellRuns& cell : result.cells)
+        if (cell.faulty > 0)
+            std::printf("%s: a fault ended %lld of %lld runs, which are left out\n", cell.name.c_str(),
+                        static_cast<long long>(cell.faulty), static_cast<long long>(cell.runs));
     const AccountResult& account = result.account;
     std::printf(account.sparedHours() > 0 ? "%.2f h of real robots spared" : "no hours of real robots spared",
                 account.sparedHours());

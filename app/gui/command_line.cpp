@@ -84,9 +84,9 @@ void addFlags(CLI::App& app, CommandLine& line, std::string& run, std::string& s
     app.add_option("--at", line.at, "Open at this time, s; with a log: --start")->check(numberRange(0.0, 1e6));
     app.add_option("--seed", line.seed, "Seed of everything random; the same seed gives the same run")
         ->check(someSeed());
-    app.add_option(
-           "--trial", line.trial,
-           "Start as this trial of a batch or an experiment does; 0: as the scenario says, the experiment's first")
+    app.add_option("--trial", line.trial,
+                   "Start as this trial of a batch or an experiment does; default: as the scenario says, the "
+                   "experiment's first")
         ->check(someTrial());
     app.add_option("--variant", line.variant, "Which variant of an experiment")->check(someName());
     app.add_option("--settings", line.settings,

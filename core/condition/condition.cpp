@@ -78,11 +78,12 @@ bool readsInsights(std::string_view text, const Scenario& scenario) {
 }
 
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario, const std::string& source,
-                                     const RealRobots* real, const DrawnValues* drawn) {
+                                     const RealRobots* real, const DrawnValues* drawn, bool tried) {
     const Start start(scenario, real, drawn);
     auto expression = compiled(text, start, source);
     if (!expression) return tl::unexpected(expression.error());
     Condition condition(std::move(*expression));
+    if (!tried) return condition;
     const auto answer = condition.holds(start.moment);
     if (!answer) return tl::unexpected(answer.error());
     return condition;
@@ -104,11 +105,13 @@ Expected<double> WorldValue::value(const Moment& at) {
 }
 
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario, const std::string& source,
-                                       const RealRobots* real, const DrawnValues* drawn, const DrawnValues* measured) {
+                                       const RealRobots* real, const DrawnValues* drawn, const DrawnValues* measured,
+                                       bool tried) {
     const Start start(scenario, real, drawn, measured);
     auto expression = compiled(text, start, source);
     if (!expression) return tl::unexpected(expression.error());
     WorldValue value(std::move(*expression));
+    if (!tried) return value;
     const auto first = value.value(start.moment);
     if (!first) return tl::unexpected(first.error());
     return value;

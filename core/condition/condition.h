@@ -29,7 +29,7 @@ public:
 
 private:
     friend Expected<Condition> compileCondition(std::string_view, const Scenario&, const std::string&,
-                                                const RealRobots*, const DrawnValues*);
+                                                const RealRobots*, const DrawnValues*, bool);
     explicit Condition(std::unique_ptr<WorldExpression> expression);
 
     std::unique_ptr<WorldExpression> expression_;
@@ -45,10 +45,10 @@ bool readsInsights(std::string_view text, const Scenario& scenario);
 /// that the scenario does not have, or what holds() would say of the scenario's start. Functions defined in the text
 /// may have names of their own, so that unknown ones there may come to light only in holds(). Without `real` no real
 /// log is open, and asking for it is an error that says so; likewise without `drawn`, what was drawn for a trial: later
-/// ones must have the same names.
+/// ones must have the same names. Not `tried`: what holds() would say of the start is not looked at.
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario,
                                      const std::string& source = "condition", const RealRobots* real = nullptr,
-                                     const DrawnValues* drawn = nullptr);
+                                     const DrawnValues* drawn = nullptr, bool tried = true);
 
 /// A number of the world, as such an expression: "distance(robot[2], ball)". True is 1, false is 0.
 class WorldValue {
@@ -64,7 +64,7 @@ public:
 
 private:
     friend Expected<WorldValue> compileWorldValue(std::string_view, const Scenario&, const std::string&,
-                                                  const RealRobots*, const DrawnValues*, const DrawnValues*);
+                                                  const RealRobots*, const DrawnValues*, const DrawnValues*, bool);
     explicit WorldValue(std::unique_ptr<WorldExpression> expression);
 
     std::unique_ptr<WorldExpression> expression_;
@@ -73,6 +73,7 @@ private:
 /// Errors as of compileCondition(). Without `measured`, what a trial's measures gave, asking for these is one, too.
 Expected<WorldValue> compileWorldValue(std::string_view text, const Scenario& scenario,
                                        const std::string& source = "expression", const RealRobots* real = nullptr,
-                                       const DrawnValues* drawn = nullptr, const DrawnValues* measured = nullptr);
+                                       const DrawnValues* drawn = nullptr, const DrawnValues* measured = nullptr,
+                                       bool tried = true);
 
 }  // namespace mrose

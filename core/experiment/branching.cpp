@@ -20,10 +20,16 @@ Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions
     options.endOnFault = true;
     options.every = ticksBetweenLooks(experiment, scenario->scene());
     options.watchFollows = readsInsights(experiment.branch.text, *scenario);
-    options.watch = [&](const Moment& at) { return branches.holds(at); };
+    std::optional<Error> failed;
+    options.watch = [&](const Moment& at) -> Expected<bool> {
+        const auto holds = branches.holds(at);
+        if (!holds) failed = experiment.branch.placed(holds.error(), experiment.file);
+        return !holds || *holds;
+    };
     options.goesOn = [&](const WorldState&) { return !goesOn || goesOn(); };
     auto result = run(*scenario, start, options);
-    if (!result) return tl::unexpected(experiment.branch.placed(result.error(), experiment.file));
+    if (!result) return tl::unexpected(result.error());
+    if (failed) endByFault(*result, *failed);
     BranchPoint point{std::move(scenario), std::move(*result), drawn};
     point.drawn.back().value = toSeconds(point.scenario->scene().timeOf(point.before.state.tick));
     return point;

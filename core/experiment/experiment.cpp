@@ -60,13 +60,13 @@ private:
 
     void runTrial(Workplace& place, std::uint32_t number) {
         auto trial = place.maker.make(number);
-        if (!trial) return fail(trial.error());
+        if (!trial) return keepFaults(number, trial.error());
         std::optional<BranchPoint> point;
         if (trial->before) {
             if (options_.loaded) options_.loaded(trial->before->parts);
             auto come = runToBranch(experiment_, place.expressions, std::move(trial->before->parts), trial->drawn,
                                     [this] { return goesOn(); });
-            if (!come) return fail(come.error());
+            if (!come) return keepFaults(number, come.error());
             if (come->before.end == RunEnd::stopped) {
                 stop_ = true;
                 return;
@@ -86,46 +86,56 @@ private:
                 if (options_.begins) options_.begins(key);
                 const auto row =
                     point ? rowOf(place, *point, scenario, key) : rowOf(place, scenario, trial->drawn, key);
-                const std::lock_guard lock(mutex_);
-                if (stop_) return;
-                if (!row) return failNow(row.error());
-                if (const auto kept = file_.add(key, *row); !kept) return failNow(kept.error());
-                ++done_;
-                if (options_.progress) options_.progress(done_, runs_);
+                keep(key, row);
             }
         }
     }
 
+    void keep(const RunKey& key, const std::string& row) {
+        const std::lock_guard lock(mutex_);
+        if (stop_ || file_.has(key)) return;
+        if (options_.fits)
+            if (const auto fits = options_.fits(key, rowOutcome(experiment_, row)); !fits) return failNow(fits.error());
+        if (const auto kept = file_.add(key, row); !kept) return failNow(kept.error());
+        ++done_;
+        if (options_.progress) options_.progress(done_, runs_);
+    }
+    /// Of a trial of which no run can be begun.
+    void keepFaults(std::uint32_t number, const Error& error) {
+        for (std::size_t variant = 0; variant < experiment_.variants.size(); ++variant)
+            for (std::uint32_t k = 0; k < experiment_.seeds; ++k) {
+                const RunKey key = keyOf(number, variant, k);
+                keep(key, faultyRow(experiment_, key, error, commandsOf(key)));
+            }
+    }
+
     bool goesOn() const { return !stop_ && (!options_.goesOn || options_.goesOn()); }
 
-    Expected<std::string> rowOf(Workplace& place, const Scenario& scenario, const DrawnValues& drawn,
-                                const RunKey& key) {
+    std::string rowOf(Workplace& place, const Scenario& scenario, const DrawnValues& drawn, const RunKey& key) {
         const auto measured =
             measuredRun(experiment_, place.expressions, scenario, drawn, key.seed, [this] { return goesOn(); });
         return rowOf(measured, scenario, drawn, key);
     }
     /// Of a variant that goes on from where its trial branched.
-    Expected<std::string> rowOf(Workplace& place, const BranchPoint& point, const Scenario& variant,
-                                const RunKey& key) {
+    std::string rowOf(Workplace& place, const BranchPoint& point, const Scenario& variant, const RunKey& key) {
         const auto measured =
             measuredRun(experiment_, place.expressions, point, variant, key.seed, [this] { return goesOn(); });
         return rowOf(measured, variant, point.drawn, key);
     }
-    Expected<std::string> rowOf(const Expected<MeasuredRun>& measured, const Scenario& scenario,
-                                const DrawnValues& drawn, const RunKey& key) {
-        if (!measured) return tl::unexpected(measured.error());
+    std::string rowOf(const Expected<MeasuredRun>& measured, const Scenario& scenario, const DrawnValues& drawn,
+                      const RunKey& key) {
+        if (!measured) return faultyRow(experiment_, key, measured.error(), commandsOf(key));
         if (measured->result.end == RunEnd::stopped) stop_ = true;
+        return experimentRow(experiment_, key, drawn, measured->measurement, measured->result,
+                             scenario.scene().tickLength, commandsOf(key));
+    }
+    RunCommands commandsOf(const RunKey& key) const {
         std::string flags = " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
         if (const std::string& variant = experiment_.variants[key.variant - 1].name; !variant.empty())
             flags += " --variant " + shellQuoted(variant);
-        return experimentRow(experiment_, key, drawn, measured->measurement, measured->result,
-                             scenario.scene().tickLength, {options_.command + flags, options_.window + flags});
+        return {options_.command + flags, options_.window + flags};
     }
 
-    void fail(const Error& error) {
-        const std::lock_guard lock(mutex_);
-        failNow(error);
-    }
     void failNow(const Error& error) {
         if (!error_) error_ = error;
         stop_ = true;

@@ -16,6 +16,12 @@
 
 namespace mrose {
 
+/// What a row of the results says of the run.
+struct RowOutcome {
+    bool faulty = false;           ///< it ended by a fault
+    std::vector<double> measures;  ///< to the last bit; NaN where it is not known
+};
+
 struct ExperimentOptions {
     /// Its loader of plug-ins is called by several threads at once.
     ScenarioLoading loading = {};
@@ -27,6 +33,8 @@ struct ExperimentOptions {
     std::function<void(const RunKey&)> begins = {};                          ///< as of BatchOptions
     std::function<void(std::int64_t done, std::int64_t all)> progress = {};  ///< likewise
     GoesOn goesOn = {};                                                      ///< likewise
+    /// Asked what a run came to, before its row is kept; an error ends all. May be empty.
+    std::function<Expected<void>(const RunKey&, const RowOutcome&)> fits = {};
 };
 
 /// What the runs of a variant have of a feature or a measure.
@@ -44,6 +52,7 @@ struct VariantSummary {
     std::int64_t runs = 0;
     std::int64_t ended = 0;   ///< by `until`
     std::int64_t faulty = 0;  ///< by a fault
+    std::string firstFault;   ///< with its trial
     std::vector<MeasureSummary> measures;
 };
 
@@ -58,8 +67,9 @@ struct ExperimentSummary {
 
 /// Runs what is not done yet, each trial with each seed by each variant. A row is kept at once in
 /// `folder`/results.part.csv; when all are done, results.csv has them in order. It is the same for any number of
-/// threads. A run ends by `until`, at a fault, or after the experiment's duration; what was wrong is in its row. Error:
-/// of the expressions and of what trials are made of, before the first run; as of runBatch().
+/// threads. A run ends by `until`, at a fault, or after the experiment's duration; what was wrong is in its row, also
+/// where its trial cannot be made or an expression not be answered. Error: of the expressions and of what trials are
+/// made of, as far as the first trial and the ends of draws tell, before the first run; as of runBatch().
 Expected<ExperimentSummary> runExperiment(const Experiment& experiment, const ExperimentOptions& options,
                                           const std::filesystem::path& folder);
 

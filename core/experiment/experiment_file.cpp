@@ -128,7 +128,8 @@ private:
         if (root_.failed()) return;
         for (const std::string& path : draw.paths) {
             checkPath(table, path);
-            if (!paths_.insert(path).second) table.reject("path", path + " is that of another draw, too");
+            const bool isNew = paths_.insert(path).second && places_.insert(experiment_.scenario.places(path)).second;
+            if (!isNew) table.reject("path", path + " is that of another draw, too");
         }
         experiment_.draws.push_back(std::move(draw));
     }
@@ -207,7 +208,9 @@ private:
     }
     /// Puts it there for all trials.
     void keep(TomlTable& table, std::string_view key, const std::string& path, const Value& value) {
-        auto changed = experiment_.scenario.with(path, resolved(table, key, path, value));
+        Value kept = resolved(table, key, path, value);
+        kept.line = kept.column = 0;  // they are none of the scenario's file
+        auto changed = experiment_.scenario.with(path, std::move(kept));
         if (!changed) return table.reject(key, changed.error().cause);
         experiment_.scenario = std::move(*changed);
     }
@@ -233,7 +236,7 @@ private:
         TomlTable sets = root_.tableOrEmpty("set");
         const Value* const named = root_.has("set") ? root_.value("set") : nullptr;
         if (named == nullptr || named->asTable() == nullptr) return;
-        for (const auto& [path, value] : *named->asTable()) {
+        for (const auto& [path, value] : generalFirst(*named->asTable())) {
             sets.value(path);
             checkFree(sets, path);
             if (!root_.failed()) keep(sets, path, path, value);
@@ -250,8 +253,12 @@ private:
         if (!with) return root_.adopt(with.error());
         const auto loaded = loadScenario(*with, library_, loading_);
         if (!loaded) return root_.adopt(settings->placed(loaded.error(), *with));
+        // One at a time: of what all elements have, a later one may set another value of some.
+        ScenarioValue varied = experiment_.scenario;
         for (const auto& [path, value] : settings->set) {
-            const Value* const there = loaded->value.at(path);
+            if (auto changed = varied.with(path, value)) varied = std::move(*changed);
+            const auto alone = loadScenario(varied, library_, loading_);
+            const Value* const there = alone ? alone->value.at(path) : nullptr;
             variant.set.emplace_back(path, there != nullptr ? *there : value);
         }
         experiment_.settings.push_back(file);
@@ -273,7 +280,7 @@ private:
         TomlTable sets = table.tableOrEmpty("set");
         const Value* const named = table.has("set") ? table.value("set") : nullptr;
         if (named != nullptr && named->asTable() != nullptr)
-            for (const auto& [path, value] : *named->asTable()) put(varied, sets, path, value);
+            for (const auto& [path, value] : generalFirst(*named->asTable())) put(varied, sets, path, value);
         return varied;
     }
     void put(Varied& varied, TomlTable& sets, const std::string& path, const Value& value) {
@@ -320,7 +327,7 @@ private:
             varied.variant.name =
                 point.name + ' ' + plainNumberText(point.at) + (point.unit.empty() ? "" : " ") + point.unit;
             varied.variant.sweep = point;
-            for (const auto& [path, factor] : *factors->asTable()) {
+            for (const auto& [path, factor] : generalFirst(*factors->asTable())) {
                 checkFree(scaled, path);
                 const double product = point.at * scaled.number(path);
                 if (root_.failed()) return;
@@ -380,6 +387,7 @@ private:
     Experiment experiment_;
     Nanoseconds duration_ = 0, tick_ = 1;
     std::set<std::string> names_, paths_, bodies_;
+    std::set<std::vector<std::string>> places_;  ///< of the paths: one may be written in several ways
 };
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace mrose {
 namespace {
 
-constexpr std::size_t experimentEndCell = 4, firstDrawCell = 6;
+constexpr std::size_t experimentEndCell = 4, firstDrawCell = 6, faultBehind = 3;  // the last, the measures
 
 /// Of tables and arrays, which of the draw's choices it is, from 1.
 std::string drawnText(const Value& value, const Draw& draw) {
@@ -64,6 +64,19 @@ bool hasSweeps(const Experiment& experiment) {
 }
 std::string sweptText(const Variant& variant) { return variant.sweep ? plainNumberText(variant.sweep->at) : ""; }
 
+/// All of a row before what was drawn.
+std::string rowStart(const Experiment& experiment, const RunKey& key, RunEnd end, const std::string& time) {
+    return std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + std::to_string(key.variant) + ',' +
+           csvCell(experiment.variants[key.variant - 1].name) + ',' + name(end) + ',' + time;
+}
+/// All of it behind the hash.
+std::string rowEnd(const Experiment& experiment, const RunKey& key, const std::string& time, std::string fault,
+                   const RunCommands& commands) {
+    std::ranges::replace(fault, '\n', ' ');  // a row is a line
+    return ',' + csvCell(commands.alone) + ',' + csvCell(commands.window + " --at " + time) + ',' + csvCell(fault) +
+           (hasSweeps(experiment) ? ',' + sweptText(experiment.variants[key.variant - 1]) : "");
+}
+
 }  // namespace
 
 std::string experimentHeader(const Experiment& experiment) {
@@ -78,15 +91,20 @@ std::string experimentRow(const Experiment& experiment, const RunKey& key, const
                           const TrialMeasurement& measurement, const RunResult& result, Nanoseconds tick,
                           const RunCommands& commands) {
     const std::string time = plainSeconds(result.state.tick * tick);
-    std::string line = std::to_string(key.trial) + ',' + std::to_string(key.seed) + ',' + std::to_string(key.variant) +
-                       ',' + csvCell(experiment.variants[key.variant - 1].name) + ',' + name(result.end) + ',' + time;
+    std::string line = rowStart(experiment, key, result.end, time);
     for (std::size_t i = 0; i < experiment.draws.size(); ++i)
         line += ',' + drawnText(drawn[i].value, experiment.draws[i]);
     for (const double feature : measurement.features()) line += ',' + measuredText(feature);
     for (const double measure : measurement.measures()) line += ',' + measuredText(measure);
-    return line + ',' + hexadecimal(hashOf(result.state).world) + ',' + csvCell(commands.alone) + ',' +
-           csvCell(commands.window + " --at " + time) + ',' + csvCell(result.statistics.firstFault) +
-           (hasSweeps(experiment) ? ',' + sweptText(experiment.variants[key.variant - 1]) : "");
+    line += ',' + hexadecimal(hashOf(result.state).world);
+    return line + rowEnd(experiment, key, time, result.statistics.firstFault, commands);
+}
+
+std::string faultyRow(const Experiment& experiment, const RunKey& key, const Error& error,
+                      const RunCommands& commands) {
+    std::string line = rowStart(experiment, key, RunEnd::fault, "0") + std::string(experiment.draws.size(), ',');
+    for (std::size_t i = 0; i < experiment.features.size() + experiment.measures.size(); ++i) line += ",nan";
+    return line + ',' + rowEnd(experiment, key, "0", error.message(), commands);
 }
 
 RowOutcome rowOutcome(const Experiment& experiment, const std::string& row) {
@@ -116,10 +134,11 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
         const std::vector<std::string> cells = resultsCells(row);
         VariantSummary& summary = summaries[key.variant - 1];
         const std::size_t first = firstDrawCell + experiment.draws.size();
-        if (cells.size() < first + summary.measures.size()) continue;
+        if (cells.size() <= first + summary.measures.size() + faultBehind) continue;
         ++summary.runs;
         summary.ended += cells[experimentEndCell] == name(RunEnd::condition) ? 1 : 0;
-        summary.faulty += cells[experimentEndCell] == name(RunEnd::fault) ? 1 : 0;
+        if (cells[experimentEndCell] == name(RunEnd::fault) && ++summary.faulty == 1)
+            summary.firstFault = "trial " + cells[0] + ": " + cells[first + summary.measures.size() + faultBehind];
         for (std::size_t i = 0; i < summary.measures.size(); ++i) {
             double value = std::nan("");
             const std::string& cell = cells[first + i];

@@ -24,11 +24,10 @@ std::string experimentRow(const Experiment& experiment, const RunKey& key, const
                           const TrialMeasurement& measurement, const RunResult& result, Nanoseconds tick,
                           const RunCommands& commands);
 
+/// Of a run that could not be begun, and why.
+std::string faultyRow(const Experiment& experiment, const RunKey& key, const Error& error, const RunCommands& commands);
+
 /// What such a row says of the run.
-struct RowOutcome {
-    bool faulty = false;           ///< it ended by a fault
-    std::vector<double> measures;  ///< to the last bit; NaN where it is not known
-};
 RowOutcome rowOutcome(const Experiment& experiment, const std::string& row);
 
 std::vector<VariantSummary> summarised(const Experiment& experiment, const std::map<RunKey, std::string>& rows);

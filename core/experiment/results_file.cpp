@@ -91,13 +91,21 @@ std::string differenceOf(const BatchIdentity& before, const BatchIdentity& now) 
     };
     BatchIdentity all = now;
     all.insert(before.begin(), before.end());
+    std::string ofContent;
     for (const auto& [name, value] : all) {
         const std::string then = valueIn(before, name), here = valueIn(now, name);
         if (then == here) continue;
-        if (name.starts_with(contentOf)) return "the " + name + " has changed";
-        return name + " was " + (then.empty() ? "not given" : then) + " and is " + (here.empty() ? "not given" : here);
+        if (!name.starts_with(contentOf))
+            return name + " was " + (then.empty() ? "not given" : then) + " and is " +
+                   (here.empty() ? "not given" : here);
+        // Of another scenario there are other files.
+        const std::string what = name.substr(contentOf.size());
+        if (!ofContent.empty()) continue;
+        ofContent = then.empty()   ? "they were made without " + what
+                    : here.empty() ? "they were made with " + what
+                                   : "the " + name + " has changed";
     }
-    return {};
+    return ofContent;
 }
 
 Expected<void> writeAll(int descriptor, std::string_view text, const std::filesystem::path& path) {

@@ -169,8 +169,8 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
     return tl::unexpected(experiment_.require.placed(cause, experiment_.file));
 }
 
-/// What is wrong with a trial's scenario, of the draw or the variant that makes the same mistake alone; of what is set
-/// twice the last one counts.
+/// What is wrong with a trial's scenario, of the scenario's own file where it is wrong as it is written, else of the
+/// draw or the variant that makes the same mistake alone; of what is set twice the last one counts.
 Error TrialMaker::told(Error error, const DrawnValues& drawn, const Variant* variant, const std::string& where) {
     const auto isMadeBy = [&](const Expected<ScenarioValue>& alone) {
         if (!alone) return false;
@@ -181,6 +181,7 @@ Error TrialMaker::told(Error error, const DrawnValues& drawn, const Variant* var
         return Error{experiment_.file, static_cast<int>(line), static_cast<int>(column),
                      std::string(kind) + "[\"" + name + "\"]", error.key + ": " + error.cause + where};
     };
+    if (isMadeBy(experiment_.scenario)) return error;
     if (variant != nullptr && isMadeBy(with(experiment_.scenario, *variant)))
         return toldAt(variant->line, variant->column, "variant", variant->name);
     for (std::size_t i = experiment_.draws.size(); i-- > 0;) {
@@ -264,8 +265,7 @@ Expected<void> TrialMaker::checkExpressions(std::uint32_t number, const DrawnVal
     const WorldState start = scenario.initialState();
     const std::vector<RobotInsight> none(start.robots.size());
     const Moment moment{.scenario = &scenario, .state = &start, .insights = none, .drawn = &drawn};
-    if (const auto compiled = expressions_.of(moment); !compiled) return tl::unexpected(compiled.error());
-    return expressions_.checkEntries(moment);
+    return expressions_.check(moment);
 }
 
 }  // namespace mrose

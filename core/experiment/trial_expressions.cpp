@@ -56,32 +56,33 @@ Expected<CompiledExpressions*> TrialExpressions::of(const Moment& start) {
     const std::string signature = signatureOf(start.scene());
     auto found = compiled_.find(signature);
     if (found == compiled_.end()) {
-        auto all = compiled(start);
+        auto all = compiled(start, false);  // of another trial the start may tell something else
         if (!all) return tl::unexpected(all.error());
         found = compiled_.emplace(signature, std::move(*all)).first;
     }
     return &found->second;
 }
 
-Expected<void> TrialExpressions::checkEntries(const Moment& start) const {
+Expected<void> TrialExpressions::check(const Moment& start) const {
+    if (const auto fit = compiled(start, true); !fit) return tl::unexpected(fit.error());
     for (const FileExpression* one : allOf(experiment_))
         if (auto there = entriesAreThere(*one, start, experiment_.file); !there) return there;
     return {};
 }
 
-Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start) const {
+Expected<CompiledExpressions> TrialExpressions::compiled(const Moment& start, bool tried) const {
     CompiledExpressions all;
     const Scenario& scenario = *start.scenario;
     const auto condition = [&](const FileExpression& expression, std::optional<Condition>& result) -> Expected<void> {
         if (expression.empty()) return {};
-        auto one = compileCondition(expression.text, scenario, "", nullptr, start.drawn);
+        auto one = compileCondition(expression.text, scenario, "", nullptr, start.drawn, tried);
         if (!one) return tl::unexpected(expression.placed(one.error(), experiment_.file));
         result.emplace(std::move(*one));
         return {};
     };
     const auto value = [&](const FileExpression& expression, std::vector<WorldValue>& values,
                            const DrawnValues* measured = nullptr) -> Expected<void> {
-        auto one = compileWorldValue(expression.text, scenario, "", nullptr, start.drawn, measured);
+        auto one = compileWorldValue(expression.text, scenario, "", nullptr, start.drawn, measured, tried);
         if (!one) return tl::unexpected(expression.placed(one.error(), experiment_.file));
         values.push_back(std::move(*one));
         return {};
@@ -137,7 +138,7 @@ Expected<void> TrialMeasurement::begin(const Moment& start) {
 }
 
 void TrialMeasurement::skip() {
-    features_.assign(expressions_.features.size(), never);
+    features_.resize(expressions_.features.size(), never);
     measures_.assign(experiment_.measures.size(), never);
 }
 

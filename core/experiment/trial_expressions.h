@@ -25,12 +25,13 @@ public:
 
     /// `start`: of a trial, with what was drawn for it. Error: file, line and column of the first thing wrong.
     Expected<CompiledExpressions*> of(const Moment& start);
-    /// That what they ask of controllers' and motion models' memories is there: otherwise it is NaN. For the scenario
-    /// without a variant: in variants with other controllers it may be missing. Error: likewise.
-    Expected<void> checkEntries(const Moment& start) const;
+    /// That they can be answered at a start, and that what they ask of controllers' and motion models' memories is
+    /// there: otherwise it is NaN. For the scenario without a variant: in variants with other controllers it may be
+    /// missing. Error: likewise.
+    Expected<void> check(const Moment& start) const;
 
 private:
-    Expected<CompiledExpressions> compiled(const Moment& start) const;
+    Expected<CompiledExpressions> compiled(const Moment& start, bool tried) const;
 
     const Experiment& experiment_;
     std::map<std::string, CompiledExpressions> compiled_;  ///< by the names of bodies and goals
@@ -44,7 +45,8 @@ public:
 
     /// Asks the features, at the run's start.
     Expected<void> begin(const Moment& start);
-    /// Of a run that did not come to where it begins: nothing is known.
+    /// Of a run that did not come to where it begins, or of which something cannot be measured: no measure is known,
+    /// and of the features those that were asked.
     void skip();
     /// A look at it. Gives whether the trial is over.
     Expected<bool> look(const Moment& at);

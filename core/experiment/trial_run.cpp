@@ -38,6 +38,11 @@ RunOptions measuring(TrialMeasurement& measurement, const CompiledExpressions& c
     return options;
 }
 
+void endByFault(RunResult& result, const Error& error) {
+    result.end = RunEnd::fault;
+    if (result.statistics.faults++ == 0) result.statistics.firstFault = error.message();
+}
+
 std::vector<MeasuredValue> measuredValues(const Experiment& experiment, const TrialMeasurement& measurement) {
     std::vector<MeasuredValue> values;
     for (std::size_t i = 0; i < experiment.features.size(); ++i)
@@ -53,12 +58,30 @@ namespace {
 Expected<MeasuredRun> measuredFrom(const Experiment& experiment, const CompiledExpressions& compiled,
                                    TrialMeasurement measurement, const Moment& asked, const Scenario& scenario,
                                    const WorldState& start, const GoesOn& goesOn, bool countsUnfamiliar) {
-    if (const auto begun = measurement.begin(asked); !begun) return tl::unexpected(begun.error());
     RunOptions options = measuring(measurement, compiled, experiment, scenario, *asked.drawn);
     options.countsUnfamiliar = countsUnfamiliar;
     options.goesOn = [&](const WorldState&) { return !goesOn || goesOn(); };
+    std::optional<Error> failed;
+    options.watch = [&](const Moment& at) -> Expected<bool> {
+        const auto over = measurement.look(at);
+        if (!over) failed = over.error();
+        return !over || *over;
+    };
+    options.finally = [&](const Moment& at) -> Expected<void> {
+        if (failed) return {};
+        if (const auto ended = measurement.end(at); !ended) failed = ended.error();
+        return {};
+    };
+    if (const auto begun = measurement.begin(asked); !begun) {
+        failed = begun.error();
+        options.duration = 0;
+    }
     auto result = run(scenario, start, options);
     if (!result) return tl::unexpected(result.error());
+    if (failed && result->end != RunEnd::stopped) {
+        measurement.skip();
+        endByFault(*result, *failed);
+    }
     return MeasuredRun{std::move(*result), std::move(measurement)};
 }
 

@@ -51,6 +51,9 @@ TrialMeasurement measurementOf(const Experiment& experiment, CompiledExpressions
 RunOptions measuring(TrialMeasurement& measurement, const CompiledExpressions& compiled, const Experiment& experiment,
                      const Scenario& scenario, const DrawnValues& drawn);
 
+/// Of a run in which an expression could not be answered: its fault.
+void endByFault(RunResult& result, const Error& error);
+
 /// What was measured, named as the columns of the experiment's results are.
 struct MeasuredValue {
     std::string name;  ///< "feature.NAME", "measure.NAME"
@@ -62,8 +65,8 @@ struct MeasuredRun {
     RunResult result;
     TrialMeasurement measurement;
 };
-/// Runs a variant of a trial with a seed, until it is over. `goesOn` is asked after every tick; may be empty.
-/// `countsUnfamiliar`: as of RunOptions. Error: an expression cannot be answered.
+/// Runs a variant of a trial with a seed, until it is over; that an expression cannot be answered is a fault. `goesOn`
+/// is asked after every tick; may be empty. `countsUnfamiliar`: as of RunOptions. Error: of TrialExpressions::of().
 Expected<MeasuredRun> measuredRun(const Experiment& experiment, TrialExpressions& expressions, const Scenario& scenario,
                                   const DrawnValues& drawn, std::uint64_t seed, const GoesOn& goesOn,
                                   bool countsUnfamiliar = false);

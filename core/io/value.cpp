@@ -1,7 +1,9 @@
 #include "io/value.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -142,6 +144,26 @@ std::optional<Value> changed(const Value& from, Steps steps, const std::optional
     return repacked(from, std::move(copy));
 }
 
+void addPlaces(const Value* from, Steps steps, const std::string& before, std::vector<std::string>& places) {
+    if (steps.empty()) return places.push_back(before);
+    const Step& step = steps.front();
+    const Value* const content = from != nullptr ? &inside(*from) : nullptr;
+    if (!step.ofArray())
+        return addPlaces(content != nullptr ? content->find(step.key) : nullptr, steps.subspan(1),
+                         before + (before.empty() ? "" : ".") + step.key, places);
+    const Value::Array* const array = content != nullptr ? content->asArray() : nullptr;
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        if (!names(step, *array, i)) continue;
+        addPlaces(&(*array)[i], steps.subspan(1), before + '[' + std::to_string(i + 1) + ']', places);
+        if (!step.all) return;
+    }
+}
+
+std::ptrdiff_t starsIn(std::string_view path) {
+    const auto steps = stepsOf(path);
+    return steps ? std::ranges::count_if(*steps, &Step::all) : 0;
+}
+
 }  // namespace
 
 Value::File Value::sharedFile() const {
@@ -181,6 +203,12 @@ Value Value::without(std::string_view path) const {
     return steps ? changed(*this, *steps, std::nullopt).value_or(*this) : *this;
 }
 
+std::vector<std::string> Value::places(std::string_view path) const {
+    std::vector<std::string> places;
+    if (const auto steps = stepsOf(path)) addPlaces(this, *steps, "", places);
+    return places;
+}
+
 bool Value::operator==(const Value& other) const {
     if (content_.index() != other.content_.index()) return false;
     if (const double* const number = asFloat())
@@ -190,6 +218,12 @@ bool Value::operator==(const Value& other) const {
     if (const DescriptionFile* const file = asFile())
         return file == other.asFile() || file->content == other.asFile()->content;
     return content_ == other.content_;
+}
+
+std::vector<std::pair<std::string, Value>> generalFirst(const Value::Table& sets) {
+    std::vector<std::pair<std::string, Value>> ordered(sets.begin(), sets.end());
+    std::ranges::stable_sort(ordered, std::greater(), [](const auto& set) { return starsIn(set.first); });
+    return ordered;
 }
 
 }  // namespace mrose

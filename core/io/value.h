@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -57,6 +58,9 @@ public:
     Expected<Value> with(std::string_view path, Value value) const;
     /// This value without what is at a path; the same where there is none.
     Value without(std::string_view path) const;
+    /// The places that a path leads to, or may lead to by a new key, each by the numbers of its elements and in one
+    /// way of writing it: `robot[*].network` as `robot[1].network` and `robot[2].network`. None: there are none.
+    std::vector<std::string> places(std::string_view path) const;
 
     /// Where a text that it was read from has it, from 1; 0: unknown. Equal values may lie elsewhere.
     std::uint32_t line = 0, column = 0;
@@ -82,5 +86,9 @@ struct DescriptionFile {
     std::string reference;  ///< what the description says instead of it; empty: of the description itself
     Value content;          ///< a table, or the text of what is no description: a network
 };
+
+/// What a table sets, in the order in which it is put into a description: paths of all elements, as `robot[*].network`,
+/// before those of one, so that who names a robot has the last word; otherwise by their texts.
+std::vector<std::pair<std::string, Value>> generalFirst(const Value::Table& sets);
 
 }  // namespace mrose

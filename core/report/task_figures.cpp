@@ -24,12 +24,6 @@ std::size_t shownPredictors(const TaskJudgement& judgement) {
     return std::min<std::size_t>(judgement.predictors.size() - 1, 6);
 }
 
-/// The share of rows, in order of an input, that belongs to a tenth.
-std::span<const std::size_t> tenthOf(std::span<const std::size_t> order, std::size_t tenth) {
-    const std::size_t from = order.size() * tenth / tenths, to = order.size() * (tenth + 1) / tenths;
-    return order.subspan(from, to - from);
-}
-
 double meanError(const TaskData& data, const std::vector<double>& predicted, std::span<const std::size_t> rows) {
     double sum = 0, count = 0;
     for (const std::size_t row : rows)
@@ -53,14 +47,34 @@ std::vector<std::size_t> ordered(const TaskData& data, std::size_t input) {
     return order;
 }
 
+/// Tenths of rows that are in order of an input, as nearly as rows with the same value are in the same one: where it
+/// has few values, one for each.
+std::vector<std::span<const std::size_t>> tenthsOf(const TaskData& data, std::size_t input,
+                                                   const std::vector<std::size_t>& order) {
+    const auto valueOf = [&](std::size_t row) { return data.inputsOf(row)[input]; };
+    std::vector<std::span<const std::size_t>> parts;
+    std::size_t from = 0;
+    for (std::size_t tenth = 1; tenth <= tenths; ++tenth) {
+        std::size_t to = order.size() * tenth / tenths;
+        if (to < order.size()) {
+            const auto same = std::ranges::equal_range(order, valueOf(order[to]), {}, valueOf);
+            const auto before = static_cast<std::size_t>(same.begin() - order.begin()), behind = before + same.size();
+            to = to - before <= behind - to ? before : behind;
+        }
+        if (to > from) parts.push_back(std::span(order).subspan(from, to - from));
+        from = to;
+    }
+    return parts;
+}
+
 /// By how much the mean errors of the tenths differ.
 double differenceAlong(const TaskJudgement& judgement, std::size_t input) {
     const TaskData& data = judgement.heldOut;
     const std::vector<std::size_t> order = ordered(data, input);
     if (order.empty()) return -1;
     double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (std::size_t tenth = 0; tenth < tenths; ++tenth) {
-        const double error = meanError(data, judgement.predictors.front().predicted, tenthOf(order, tenth));
+    for (const auto rows : tenthsOf(data, input, order)) {
+        const double error = meanError(data, judgement.predictors.front().predicted, rows);
         least = std::min(least, error);
         most = std::max(most, error);
     }
@@ -107,11 +121,11 @@ std::string inputErrorFigure(const TaskJudgement& judgement, std::size_t input) 
     const std::vector<std::size_t> order = ordered(data, input);
     if (order.empty()) return {};
     std::vector<std::vector<Point>> lines(shownPredictors(judgement));
-    PlotRange x{meanInput(data, input, tenthOf(order, 0)), meanInput(data, input, tenthOf(order, tenths - 1))};
+    const auto parts = tenthsOf(data, input, order);
+    const PlotRange x{meanInput(data, input, parts.front()), meanInput(data, input, parts.back())};
     double most = 0;
     for (std::size_t k = 0; k < lines.size(); ++k)
-        for (std::size_t tenth = 0; tenth < tenths; ++tenth) {
-            const auto rows = tenthOf(order, tenth);
+        for (const auto rows : parts) {
             lines[k].push_back(
                 {meanInput(data, input, rows), meanError(data, judgement.predictors[k].predicted, rows)});
             if (k == 0 || lines[k].back().y < 5 * lines[0].back().y) most = std::max(most, lines[k].back().y);

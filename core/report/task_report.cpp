@@ -95,7 +95,8 @@ std::string errorSection(const TaskReport& report) {
     return cat(heading("What it says, and what it came to"),
                paragraph("A dot is a row that is held out; on the dashed diagonal the prediction is right."),
                element("div", "paths", predictions), heading("Where it errs"),
-               paragraph(cat("Mean absolute errors over tenths of the rows, by what an input was",
+               paragraph(cat("Mean absolute errors over tenths of the rows, by what an input was, rows with the same "
+                             "value together",
                              order.size() < all ? cat(": of the ", std::to_string(order.size()), " of ",
                                                       std::to_string(all), " inputs along which they differ most.")
                                                 : ".")),

@@ -99,7 +99,7 @@ std::string cellTable(const ValidationResult& result) {
     };
     counts("runs", [](const CellRuns& runs) { return runs.runs; });
     counts("not ended by `until`", [](const CellRuns& runs) { return runs.unfinished; });
-    counts("ended by a fault", [](const CellRuns& runs) { return runs.faulty; });
+    counts("left out: ended by a fault", [](const CellRuns& runs) { return runs.faulty; });
     return table.text();
 }
 

@@ -36,6 +36,9 @@ public:
     const Value& content() const { return file_->content; }
     const Value* at(std::string_view path) const { return content().at(path); }
 
+    /// As of Value::places().
+    std::vector<std::string> places(std::string_view path) const { return content().places(path); }
+
     /// The same with another value at a path. What it says is checked when a scenario is made of it. Error: as of
     /// Value::with().
     Expected<ScenarioValue> with(std::string_view path, Value value) const;

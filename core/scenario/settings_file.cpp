@@ -64,7 +64,7 @@ Expected<Settings> readSettings(const Value& content, const std::string& file) {
     TomlTable set = root.table("set");
     const Value* const named = root.has("set") ? root.value("set") : nullptr;
     if (named != nullptr && named->asTable() != nullptr)
-        for (const auto& [path, value] : *named->asTable()) {
+        for (const auto& [path, value] : generalFirst(*named->asTable())) {
             set.value(path);
             for (const char* const own : {"seed", "duration_s", "name", "format", "version"})
                 if (path == own) set.reject(path, "is nothing that settings may set");

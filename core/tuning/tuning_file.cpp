@@ -151,7 +151,9 @@ private:
         for (const std::string& path : parameter.paths) {
             for (const char* const own : {"seed", "duration_s", "name", "format", "version"})
                 if (path == own) table.reject("path", '"' + path + "\" is not for tuning");
-            if (!paths_.insert(path).second) table.reject("path", path + " is that of another parameter, too");
+            const std::vector<std::string> places = tuning_.experiment.scenario.places(path);
+            const bool isNew = paths_.insert(path).second && (places.empty() || places_.insert(places).second);
+            if (!isNew) table.reject("path", path + " is that of another parameter, too");
             checkFree(table, path);
         }
         parameter.start = startOf(table, parameter);
@@ -167,11 +169,15 @@ private:
 
     /// Nothing else may put something there later.
     void checkFree(TomlTable& table, const std::string& path) {
+        const std::vector<std::string> own = tuning_.experiment.scenario.places(path);
+        const auto meets = [&](const std::string& other) {
+            return std::ranges::find_first_of(own, tuning_.experiment.scenario.places(other)) != own.end();
+        };
         for (const Draw& draw : tuning_.experiment.draws)
-            if (std::ranges::find(draw.paths, path) != draw.paths.end())
+            if (std::ranges::any_of(draw.paths, meets))
                 table.reject("path", path + " is drawn by \"" + draw.name + "\" for each trial");
         for (const auto& [set, value] : tuning_.experiment.variants.front().set)
-            if (set == path)
+            if (meets(set))
                 table.reject("path", path + " is set by the variant; expected it in the experiment's `set`");
     }
 
@@ -206,12 +212,21 @@ private:
     TomlTable root_;
     Tuning tuning_;
     std::set<std::string> names_, paths_;
+    std::set<std::vector<std::string>> places_;  ///< of the paths: one may be written in several ways
 };
 
 }  // namespace
 
 Value parameterValue(const TunedParameter& parameter, double value) {
     return parameter.whole ? Value(static_cast<std::int64_t>(value)) : Value(value);
+}
+
+Value::Table tunedSets(const std::vector<TunedParameter>& parameters, const std::vector<double>& values) {
+    Value::Table sets;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        for (const std::string& path : parameters[i].paths)
+            sets.emplace(path, parameterValue(parameters[i], values[i]));
+    return sets;
 }
 
 Expected<Tuning> readTuning(const Value::File& file, DescriptionSource& source, const ScenarioLoading& loading) {

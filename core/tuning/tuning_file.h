@@ -37,6 +37,8 @@ struct Tuning {
 
 /// As it stands in a scenario: of whole numbers an integer.
 Value parameterValue(const TunedParameter& parameter, double value);
+/// What parameters of these values set in the scenario, by path.
+Value::Table tunedSets(const std::vector<TunedParameter>& parameters, const std::vector<double>& values);
 
 /// Error: file, line, column and key of the first thing wrong, in the experiment too.
 Expected<Tuning> readTuning(const Value::File& file, DescriptionSource& source, const ScenarioLoading& loading = {});

@@ -34,12 +34,9 @@ std::string settingsText(const Tuning& tuning, const TunerResult& result,
                          const std::vector<std::pair<std::string, std::string>>& made) {
     const std::vector<TunedParameter>& parameters = tuning.options.parameters;
     const std::vector<double>& values = result.candidates[result.best].values;
-    Value::Table set;
+    Value::Table set = tunedSets(parameters, values);
     Value::Array searched;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        for (const std::string& path : parameters[i].paths) set.emplace(path, parameterValue(parameters[i], values[i]));
-        searched.push_back(searchedValue(parameters[i], values[i]));
-    }
+    for (std::size_t i = 0; i < parameters.size(); ++i) searched.push_back(searchedValue(parameters[i], values[i]));
     const TuningEvidence found = evidenceOf(result);
     const auto dropped = std::ranges::count_if(result.candidates, &Candidate::dropped);
     const std::int64_t trials = tuning.options.trials;

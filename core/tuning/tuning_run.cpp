@@ -124,15 +124,12 @@ private:
         Variant& variant = experiment_.variants.front();
         variant = tuning_.experiment.variants.front();
         changes_.clear();
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const TunedParameter& parameter = tuning_.options.parameters[i];
-            const Value value = parameterValue(parameter, values[i]);
-            for (const std::string& path : parameter.paths) {
-                variant.set.emplace_back(path, value);
-                changes_ += " --set " +
-                            shellQuoted(path + '=' +
-                                        (parameter.whole ? std::to_string(*value.asInteger()) : numberText(values[i])));
-            }
+        for (const auto& [path, value] : generalFirst(tunedSets(tuning_.options.parameters, values))) {
+            variant.set.emplace_back(path, value);
+            const std::int64_t* const whole = value.asInteger();
+            changes_ +=
+                " --set " +
+                shellQuoted(path + '=' + (whole != nullptr ? std::to_string(*whole) : numberText(*value.asFloat())));
         }
     }
 

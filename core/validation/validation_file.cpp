@@ -92,6 +92,8 @@ private:
             measure.unit = table.stringOr("unit", "");
             measure.lessIsBetter = table.choice("better", {"less", "more"}) == 0;
             measure.yesNo = table.booleanOr("yes_no", false);
+            if (const Value* const at = table.value(table.has("yes_no") ? "yes_no" : "name"))
+                measure.line = at->line, measure.column = at->column;
             table.rejectUnknown();
             if (root_.failed()) return;
             std::string known;
@@ -185,7 +187,7 @@ private:
         const Value* const named = table.has("set") ? table.value("set") : nullptr;
         if (named == nullptr || named->asTable() == nullptr) return;
         ScenarioValue varied = base_.scenario;  // one may be within what another has set
-        for (const auto& [path, value] : *named->asTable()) {
+        for (const auto& [path, value] : generalFirst(*named->asTable())) {
             sets.value(path);
             if (root_.failed()) return;
             auto changed = varied.with(path, value);

@@ -27,7 +27,8 @@ constexpr std::size_t validationCells = 4;
 struct ValidatedMeasure {
     std::string name, unit;
     bool lessIsBetter = true;
-    bool yesNo = false;  ///< 1 or 0 in each run: shares and percentage points
+    bool yesNo = false;                  ///< 1 or 0 in each run: shares and percentage points
+    std::uint32_t line = 0, column = 0;  ///< where `yes_no` stands, else the name
     /// Of how much `after` is better than `before`.
     double gain(double before, double after) const { return lessIsBetter ? before - after : after - before; }
 };

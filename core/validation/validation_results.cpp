@@ -31,6 +31,14 @@ Number wholeOf(const std::string& cell) {
     return number;
 }
 
+tl::unexpected<Error> notYesNo(const Validation& validation, const ValidatedMeasure& measure, double value,
+                               std::uint32_t trial) {
+    return tl::unexpected(Error{validation.file, static_cast<int>(measure.line), static_cast<int>(measure.column),
+                                "measure[\"" + measure.name + "\"]",
+                                "is " + numberText(value) + " in trial " + std::to_string(trial) +
+                                    "; expected 1 or 0 of a measure of yes and no"});
+}
+
 class ResultReader {
 public:
     ResultReader(const Validation& validation, const ResultsTable& table) : validation_(validation), table_(table) {}
@@ -78,17 +86,19 @@ private:
             CellRuns& runs = result_.cells[place];
             ++runs.runs;
             runs.unfinished += cells[end_] == name(RunEnd::duration) ? 1 : 0;
-            runs.faulty += cells[end_] == name(RunEnd::fault) ? 1 : 0;
+            runs.faulty += isFaulty(row) ? 1 : 0;
             runs.hours += table_.number(row, time_) / secondsAnHour;
             runs_[{wholeOf<std::uint32_t>(cells[0]), wholeOf<std::uint64_t>(cells[1])}].row[place] = row;
         }
     }
 
-    /// A run's number; NaN: it is not known, or there is no such run.
+    /// A run's number; NaN: it is not known, a fault ended the run, or there is no such run.
     double valueOf(const PairedRun& run, std::size_t place, std::size_t measure) const {
-        const double value = run.row[place] ? table_.number(*run.row[place], columns_[measure]) : missing;
+        if (!run.row[place] || isFaulty(*run.row[place])) return missing;
+        const double value = table_.number(*run.row[place], columns_[measure]);
         return std::isfinite(value) ? value : missing;
     }
+    bool isFaulty(std::size_t row) const { return table_.rows[row][end_] == name(RunEnd::fault); }
     bool isRun(std::size_t place) const { return place < validation_.experiment.variants.size(); }
 
     double realValue(std::uint32_t trial, bool after, std::size_t measure) const {
@@ -113,11 +123,7 @@ private:
             for (std::size_t place = 0; place < validationCells; ++place) {
                 const double value = values[place];
                 const bool share = isRun(place) ? value == 0 || value == 1 : value >= 0 && value <= 1;
-                if (of.measure.yesNo && !share)
-                    return fail(validation_.file,
-                                "is " + numberText(value) + " in trial " + std::to_string(key.first) +
-                                    "; expected 1 or 0 of a measure of yes and no",
-                                0, "measure[\"" + of.measure.name + "\"]");
+                if (of.measure.yesNo && !share) return notYesNo(validation_, of.measure, value, key.first);
                 sum.of[place] += value;
             }
             sum.seeds += 1, runs += 1;
@@ -228,6 +234,17 @@ std::string cellsOf(const Estimate& estimate) {
 }
 
 }  // namespace
+
+Expected<void> checkOutcome(const Validation& validation, const RunKey& key, const RowOutcome& outcome) {
+    const std::vector<Measure>& all = validation.experiment.measures;
+    for (const ValidatedMeasure& measure : validation.measures) {
+        const auto place = std::ranges::find(all, measure.name, &Measure::name) - all.begin();
+        const double value = outcome.measures[static_cast<std::size_t>(place)];
+        if (measure.yesNo && !outcome.faulty && std::isfinite(value) && value != 0 && value != 1)
+            return notYesNo(validation, measure, value, key.trial);
+    }
+    return {};
+}
 
 Expected<ValidationResult> validationResult(const Validation& validation, const ResultsTable& results) {
     return ResultReader(validation, results).read();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiment/estimates.h"
+#include "experiment/experiment.h"
 #include "experiment/results_table.h"
 #include "io/error.h"
 #include "validation/validation_file.h"
@@ -19,8 +20,8 @@ struct CellRuns {
     bool measured = false;  ///< in reality, by a CSV: of its runs nothing more is known
     std::int64_t runs = 0;
     std::int64_t unfinished = 0;  ///< not ended by `until`
-    std::int64_t faulty = 0;
-    double hours = 0;  ///< simulated
+    std::int64_t faulty = 0;      ///< ended by a fault: of no measure they have a number
+    double hours = 0;             ///< simulated
 };
 
 /// A trial's four numbers, by the cells' places: the mean over its seeds.
@@ -74,6 +75,9 @@ struct ValidationResult {
 };
 
 constexpr std::size_t shownDisagreements = 12;
+
+/// Of a run as soon as it is over. Error: a measure of yes and no is another number than 0 and 1.
+Expected<void> checkOutcome(const Validation& validation, const RunKey& key, const RowOutcome& outcome);
 
 /// Error: the table has not the cells' rows, or a measure of yes and no another number than 0 and 1.
 Expected<ValidationResult> validationResult(const Validation& validation, const ResultsTable& results);

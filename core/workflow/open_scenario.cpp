@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <set>
 
 #include "experiment/branching.h"
@@ -85,6 +86,43 @@ Expected<ScenarioValue> overridden(ScenarioValue value, const std::vector<std::s
     return value;
 }
 
+/// Whether each place of a path, or something that it lies in, is among others.
+bool isWithin(const std::vector<std::string>& places, const std::vector<std::string>& others) {
+    return std::ranges::all_of(places, [&](const std::string& place) {
+        return std::ranges::any_of(others, [&](const std::string& other) {
+            return place.starts_with(other) &&
+                   (place.size() == other.size() || place[other.size()] == '.' || place[other.size()] == '[');
+        });
+    });
+}
+
+/// Error: an override is of something that every run has another value of.
+Expected<void> checkOverrides(const Experiment& experiment, const std::vector<std::string>& assignments) {
+    const auto placesOf = [&](const auto& paths, auto pathOf) {
+        std::vector<std::string> all;
+        for (const auto& path : paths)
+            for (std::string& place : experiment.scenario.places(pathOf(path))) all.push_back(std::move(place));
+        return all;
+    };
+    for (const std::string& assignment : assignments) {
+        const auto given = parseOverride(assignment);
+        if (!given) return tl::unexpected(given.error());
+        const std::vector<std::string> places = experiment.scenario.places(given->path);
+        if (places.empty()) continue;
+        const std::string useless = "does nothing in this experiment: ", key = "--set " + given->path;
+        if (given->path == "seed") return fail("", useless + "each run has a seed of its own", 0, key);
+        for (const Draw& draw : experiment.draws)
+            if (isWithin(places, placesOf(draw.paths, std::identity())))
+                return fail("", useless + "it is drawn by \"" + draw.name + "\" for each trial", 0, key);
+        if (std::ranges::all_of(experiment.variants, [&](const Variant& variant) {
+                return isWithin(places, placesOf(variant.set, [](const auto& set) { return set.first; }));
+            }))
+            return fail("", useless + (experiment.variants.size() > 1 ? "each variant sets it" : "its variant sets it"),
+                        0, key);
+    }
+    return {};
+}
+
 /// With the values of settings files, each seen to fit.
 Expected<ScenarioValue> withSettings(ScenarioValue value, const std::vector<std::string>& files,
                                      DescriptionSource& source) {
@@ -155,7 +193,7 @@ Expected<LoadedScenario> goingOnFrom(const BranchPoint& point, const LoadedScena
                                      const PluginLoader& plugins) {
     if (!point.isReached())
         return fail("", point.before.end == RunEnd::fault
-                            ? "before it branched, a controller failed: " + point.before.statistics.firstFault
+                            ? "before it branched, there was a fault: " + point.before.statistics.firstFault
                             : "it does not come to hold");
     const Scenario scenario(variant.parts);
     const auto value = withState(variant.value, scenario, branchedState(point, scenario, point.before.state.seed));
@@ -215,6 +253,7 @@ Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file
     if (!opened) return tl::unexpected(opened.error());
     if (*opened && (!overrides.empty() || !settings.empty())) {
         Experiment& experiment = (*opened)->experiment;
+        if (const auto used = checkOverrides(experiment, overrides); !used) return tl::unexpected(used.error());
         auto set = withSettings(std::move(experiment.scenario), settings, source);
         if (!set) return tl::unexpected(set.error());
         auto value = overridden(std::move(*set), overrides);

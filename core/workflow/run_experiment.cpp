@@ -36,6 +36,7 @@ std::string pluginFlags(const PluginUse& plugins) {
 BatchIdentity identityOf(const Value& content, const Experiment& experiment, const ExperimentRequest& request) {
     BatchIdentity identity{{"mrose", std::string(MROSE_VERSION) + ' ' + thisOrigin().commit}};
     for (const std::string& assignment : request.overrides) identity["--set " + assignment] = "given";
+    identity["experiment"] = experiment.name;
     const std::string of(contentOf);
     identity[of + "the experiment"] = hexadecimal(hashOf(content.without("first_trial").without("trials")));
     for (const Value::File& file : experiment.scenario.files())
@@ -78,6 +79,7 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
     options.begins = watch.runBegins;
     options.progress = watch.progress;
     options.goesOn = watch.goesOn;
+    options.fits = watch.fits;
     auto summary = runExperiment(experiment, options, request.folder);
     if (!summary || !summary->complete) return summary;
     ReportContext context;

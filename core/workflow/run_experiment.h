@@ -29,6 +29,7 @@ struct ExperimentWatch {
     std::function<void(const RunKey&)> runBegins = {};
     std::function<void(std::int64_t done, std::int64_t all)> progress = {};
     GoesOn goesOn = {};
+    std::function<Expected<void>(const RunKey&, const RowOutcome&)> fits = {};
 };
 
 /// Runs what is not done yet; when all is done, report.html says beside results.csv what it came to. Error: there is no

@@ -25,6 +25,7 @@ std::string repeatedBy(const std::string& program, const std::string& experiment
 BatchIdentity identityOfTuning(const Tuning& tuning) {
     const std::string of(contentOf);
     BatchIdentity identity{{"mrose", programText()}};
+    identity["tuning"] = tuning.name;
     identity[of + "the tuning"] = hexadecimal(hashOf(tuning.content.without("evaluations")));
     identity[of + "the experiment"] = hexadecimal(hashOf(tuning.experimentFile->content.without("trials")));
     for (const Value::File& file : tuning.experiment.scenario.files())

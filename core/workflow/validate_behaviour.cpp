@@ -26,7 +26,11 @@ Expected<ValidatedBehaviour> validateBehaviour(const ValidateRequest& request, c
     ExperimentRequest runs{request.file, request.folder};
     runs.trials = experiment.trials;
     runs.plugins = request.plugins;
-    auto summary = runExperiment(runs, watch);
+    ExperimentWatch checked = watch;
+    checked.fits = [&](const RunKey& key, const RowOutcome& outcome) {
+        return checkOutcome(*validation, key, outcome);
+    };
+    auto summary = runExperiment(runs, checked);
     if (!summary) return tl::unexpected(summary.error());
     ValidatedBehaviour validated{std::move(*validation), std::move(*summary), {}};
     if (!validated.summary.complete) return validated;

@@ -2,7 +2,14 @@
 #   awk -f resources/experiments/fastest.awk fastest/results.csv
 # Within the noise: not slower than the fastest by more than two standard errors of both means over the copies, or 0.15 s.
 BEGIN { FS = "," }
-NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+NR == 1 {
+    for (i = 1; i <= NF; i++) column[$i] = i
+    names = "trial variant end measure.time_s feature.chosen"
+    for (i = 2; i <= 4; i++) names = names " feature.at_" i " feature.believed_" i " feature.by_" i
+    split(names, needed, " ")
+    for (i in needed) if (!(needed[i] in column)) { print "fastest.awk: no column " needed[i] > "/dev/stderr"; wrong = 1; exit 1 }
+    next
+}
 $column["end"] != "no branch" {
     t = $column["trial"]; v = $column["variant"]; x = $column["measure.time_s"]
     chosen[t] = $column["feature.chosen"] + 0
@@ -33,6 +40,7 @@ function print_line(line,    p, z, centre, half) {
         line, all[line], 100 * first[line] / all[line], 100 * p, 100 * (centre - half), 100 * (centre + half), sum[line] / all[line]
 }
 END {
+    if (wrong) exit 1
     for (t in chosen) {
         judge("all moments", t, chosen[t])
         if (at[t, least(at, t)] < 0.6) continue

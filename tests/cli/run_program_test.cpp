@@ -48,7 +48,8 @@ TEST_F(RunProgram, SeedTrialAndDurationDecideTheRun) {
     };
     const std::string plain = hash({});
     EXPECT_EQ(hash({}), plain);
-    EXPECT_EQ(hash({"--seed", "5", "--trial", "0", "--duration", "3"}), plain);
+    EXPECT_EQ(hash({"--seed", "5", "--duration", "3"}), plain);
+    expectOneLine(play("run", {"--trial", "0"}), {"--trial: 0 is below 1"}, 2);
     EXPECT_EQ(hash({"--check-rewind"}), plain);
     EXPECT_EQ(hash({"--isolate"}), plain) << "there is no plug-in";
     EXPECT_NE(hash({"--seed", "6"}), plain);
@@ -102,6 +103,25 @@ TEST_F(RunProgram, TrialOfAnExperimentSaysWhatItMeasured) {
     EXPECT_NEAR(time, json["time_s"].get<double>(), 1e-9) << "it ends where it is measured";
     const std::string text = runMrose(words).out;
     EXPECT_NE(text.find("measure.time_s"), std::string::npos) << text;
+}
+
+TEST_F(RunProgram, WhatAnExperimentSetsItselfIsNotOverridden) {
+    write("x.toml",
+          "format = \"mrose experiment\"\nversion = 1\nname = \"x\"\nscenario = \"" + game() +
+              "\"\ntrials = 1\n"
+              "duration_s = 0.5\n[[draw]]\nname = \"x\"\npath = 'robot[\"two\"].start.x_m'\nfrom = 0.5\nto = 0.6\n"
+              "[[variant]]\nname = \"one way\"\nset = { \"robot[2].start.heading_deg\" = 10, "
+              "\"robot[1].start.heading_deg\" = 10 }\n"
+              "[[variant]]\nname = \"another\"\nset = { \"robot[2].start.heading_deg\" = 20 }\n");
+    const auto set = [&](const std::string& assignment) {
+        return runMrose({"run", path("x.toml"), "--quiet", "--set", assignment});
+    };
+    expectOneLine(set("robot[2].start.x_m=1"),
+                  {"--set robot[2].start.x_m: does nothing in this experiment: it is drawn by \"x\" for each trial"});
+    expectOneLine(set("robot[\"two\"].start.heading_deg=1"), {"each variant sets it"});
+    expectOneLine(set("seed=1"), {"each run has a seed of its own"});
+    EXPECT_EQ(set("robot[1].start.heading_deg=1").status, 0) << "the other variant has it";
+    EXPECT_EQ(set("robot[*].start.heading_deg=1").status, 0) << "another robot, too";
 }
 
 TEST_F(RunProgram, ConditionEndsIt) {

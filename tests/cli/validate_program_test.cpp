@@ -82,6 +82,19 @@ TEST_F(ValidateProgram, SaysWhichTrialsAreLeftOutAndWhy) {
                 HasSubstr("; 0 trials, 20 more left out: not all of their runs gave a number for never\n"));
 }
 
+TEST_F(ValidateProgram, SaysInWhichCellFaultsLeftRunsOut) {
+    ASSERT_EQ(validate("out").status, 0);
+    // As if the controller had failed in two of them.
+    std::string rows = read("out/results.csv");
+    for (int k = 0; k < 2; ++k) rows = replaced(rows, ",slow in simulation,duration,", ",slow in simulation,fault,");
+    write("out/results.csv", rows);
+    const ProgramResult again = validate("out");
+    EXPECT_THAT(again.out, HasSubstr("slow in simulation: a fault ended 2 of 40 runs, which are left out\n"));
+    const Json json = told(validate("out", {"--json"}));
+    EXPECT_EQ(json["cells"][1]["ended_by_fault"], 2);
+    EXPECT_EQ(json["cells"][0]["ended_by_fault"], 0);
+}
+
 TEST_F(ValidateProgram, WhereTheyDisagreeIsRepeatedByItsCommand) {
     ASSERT_EQ(validate("out", {"--trials", "8"}).status, 0);
     const auto rows = csvRows(read("out/disagreements.csv"));

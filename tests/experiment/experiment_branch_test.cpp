@@ -118,6 +118,22 @@ TEST_F(ExperimentTest, ATrialThatDoesNotBranchIsARowThatSaysSo) {
     EXPECT_EQ(ends.size(), 2u);
 }
 
+TEST_F(ExperimentTest, ABranchThatCannotBeAskedIsAFaultOfItsTrial) {
+    std::string text = branching;
+    text.replace(text.find("'robot[1].x > draw.x + draw.far'"), 32, "'time > 0.5 and (draw.far < 0.4 or 5)'");
+    const auto summary = run(experiment(text));
+    ASSERT_TRUE(summary) << summary.error().message();
+    std::set<std::string> ends;
+    for (const auto& row : rows()) {
+        const bool wrong = number(row.at("draw.far")) >= 0.4;
+        EXPECT_EQ(row.at("end"), wrong ? "fault" : "duration");
+        EXPECT_EQ(row.at("fault").find("branch: gives the number 5") != std::string::npos, wrong) << row.at("fault");
+        EXPECT_EQ(row.at("measure.way") == "nan", wrong);
+        ends.insert(row.at("end"));
+    }
+    EXPECT_EQ(ends.size(), 2u);
+}
+
 TEST_F(ExperimentTest, WhatIsWrongWithABranchIsOneLine) {
     EXPECT_THAT(refusedRun("trials = 1\nbranch = 'robot[1].sped > 1'\n"),
                 testing::StartsWith("x.toml:6:20: branch: there is no 'sped'"));

@@ -67,11 +67,62 @@ TEST_F(ExperimentTest, SharedQuestionsGiveWhatTheyGiveAlone) {
         EXPECT_EQ(row.at("measure.mean"), row.at("measure.mean_alone"));
         EXPECT_GT(number(row.at("measure.most")), 1.2);
     }
-    const Experiment wrong =
-        experiment("trials = 1\nuntil = 'time > 1 and 5'\n[measures]\na = { seconds = 'time > 1 and 5' }\n");
-    const auto summary = run(wrong, "wrong");
-    ASSERT_FALSE(summary);
-    EXPECT_THAT(summary.error().message(), HasSubstr("gives the number 5.0; expected true or false"));
+}
+
+/// What a trial alone makes wrong is in its rows; the others go on.
+TEST_F(ExperimentTest, ATrialThatCannotBeMeasuredIsARowThatSaysWhy) {
+    const std::string measures = "[features]\nat = 'draw.x'\n[measures]\nway = 'robot[1].x'\n";
+    const auto expectFaults = [&](const std::string& text, const std::string& says) {
+        const auto summary = run(experiment(text), says);
+        ASSERT_TRUE(summary) << summary.error().message();
+        EXPECT_TRUE(summary->complete);
+        std::int64_t faulty = 0;
+        for (const auto& row : rows(says)) {
+            const bool wrong = number(row.at("draw.x")) > 0;
+            faulty += wrong ? 1 : 0;
+            EXPECT_EQ(row.at("end"), wrong ? "fault" : "duration");
+            EXPECT_EQ(row.at("fault").find(says) != std::string::npos, wrong) << row.at("fault");
+            EXPECT_EQ(row.at("measure.way") == "nan", wrong);
+            EXPECT_EQ(row.at("feature.at"), row.at("draw.x"));
+        }
+        EXPECT_GT(faulty, 0);
+        EXPECT_LT(faulty, 12);
+        EXPECT_EQ(summary->variants[0].faulty, faulty);
+    };
+    expectFaults("until = 'draw.x > 0 and time > 1 and 5'\n" + (drawn + measures), "until: gives the number 5");
+    expectFaults(drawn + measures + "a = 'draw.x > 0 and time > 1 and \"five\" or 1'\n", "measures.a: gives");
+    expectFaults(drawn + measures + "a = { most = 'draw.x > 0 and time > 1 and \"five\" or 1' }\n",
+                 "measures.a.most: gives");
+}
+
+TEST_F(ExperimentTest, ATrialThatCannotBeMadeIsARowThatSaysWhy) {
+    const Experiment lane = experiment(
+        "trials = 40\nseeds = 2\n[[draw]]\nname = \"m\"\npath = \"robot[1].type.mass_kg\"\nmean = 1.0\ndeviation = "
+        "0.8\n"
+        "[measures]\nway = 'robot[1].x'\n");
+    const auto summary = run(lane);
+    ASSERT_TRUE(summary) << summary.error().message();
+    EXPECT_TRUE(summary->complete);
+    ASSERT_EQ(rows().size(), 80u);
+    std::int64_t faulty = 0;
+    for (const auto& row : rows()) {
+        if (row.at("end") != "fault") continue;
+        ++faulty;
+        EXPECT_THAT(row.at("fault"), testing::StartsWith("x.toml:8:8: draw[\"m\"]: mass_kg: is "));
+        EXPECT_THAT(row.at("fault"), HasSubstr("(trial " + row.at("trial") + ")"));
+        EXPECT_EQ(row.at("measure.way"), "nan");
+        EXPECT_EQ(row.at("draw.m"), "");
+    }
+    EXPECT_GT(faulty, 0);
+    EXPECT_LT(faulty, 40);
+    EXPECT_EQ(summary->variants[0].faulty, faulty);
+    EXPECT_THAT(summary->variants[0].firstFault, testing::StartsWith("trial "));
+}
+
+/// As far as the first trial's start tells: what any trial would have.
+TEST_F(ExperimentTest, WhatNoTrialCanAnswerIsToldBeforeTheFirst) {
+    EXPECT_THAT(refusedRun("trials = 1\nuntil = '5'\n"), HasSubstr("x.toml:6:9: until: gives the number 5"));
+    EXPECT_THAT(refusedRun("trials = 1\n[measures]\na = { seconds = '5' }\n"), HasSubstr("gives the number 5"));
 }
 
 TEST_F(ExperimentTest, MeasuresTellTheLongestStretchAndReadThoseAboveThem) {

@@ -422,6 +422,23 @@ TEST_F(ExperimentTest, WhatIsSetHoldsForAllTrials) {
     for (const auto& row : rows()) EXPECT_NEAR(number(row.at("measure.way")), 0.4, 1e-9);
 }
 
+TEST_F(ExperimentTest, WhatIsSetOfOneBodyPrevailsOverWhatIsSetOfAll) {
+    const std::string one = "'object[\"box 1\"].mass_kg' = 7.0\n", all = "'object[*].mass_kg' = 9.0\n";
+    const Experiment lane = experiment(
+        "trials = 1\n[set]\n" + one + all + "[[variant]]\nname = \"as set\"\n[[variant]]\nname = \"heavy\"\n" +
+        "[variant.set]\n'object[\"box 2\"].mass_kg' = 70.0\n'object[*].mass_kg' = 90.0\n");
+    TrialExpressions expressions(lane);
+    const auto trial = TrialMaker(lane, expressions, {}).make(1);
+    ASSERT_TRUE(trial) << trial.error().message();
+    const auto mass = [&](std::size_t variant, std::size_t box) {
+        return trial->scenarios[variant].parts.scene.typeOfObject(box).mass;
+    };
+    EXPECT_EQ(mass(0, 0), 7);
+    EXPECT_EQ(mass(0, 1), 9);
+    EXPECT_EQ(mass(1, 0), 90);
+    EXPECT_EQ(mass(1, 1), 70);
+}
+
 TEST_F(ExperimentTest, ResultsOfABatchAreNotReplaced) {
     ASSERT_TRUE(writeFileAtomically(folder_.path() / "batch.txt", "mrose = 1\n"));
     for (const std::string name : {"results.csv", "results.part.csv"}) {

@@ -127,7 +127,8 @@ TEST_F(Results, WhatDiffersIsTold) {
     EXPECT_EQ(told("--log", "x"), begin + "--log was not given and is x" + end);
     EXPECT_EQ(told("--until", ""), begin + "--until was a = b?\\n = c and is not given" + end);
     EXPECT_EQ(told("content of a = b\n.toml", "2"), begin + "the content of a = b?.toml has changed" + end);
-    EXPECT_EQ(told("content of c.so", "2"), begin + "the content of c.so has changed" + end);
+    EXPECT_EQ(told("content of a = b\n.toml", ""), begin + "they were made with a = b?.toml" + end);
+    EXPECT_EQ(told("content of c.so", "2"), begin + "they were made without c.so" + end);
 }
 
 TEST_F(Results, WhatIsCutOffIsSaidToBeDamaged) {

@@ -130,7 +130,7 @@ TEST_F(FileTest, InstantBeyondTheScenariosEndIsSimulatedAndSaid) {
     EXPECT_THAT(notes(), IsEmpty());
     open(file, 5.0);
     EXPECT_EQ(window.shown()->hash, hashAt(*scenarioOf(file), 250));
-    EXPECT_THAT(notes(), ElementsAre(AllOf(HasSubstr("lasts 3.00 s"), HasSubstr("5.00 s"))));
+    EXPECT_THAT(notes(), ElementsAre(AllOf(HasSubstr("ends at 3.00 s"), HasSubstr("5.00 s"))));
 }
 
 TEST_F(FileTest, RunWithBranchesIsSavedAndOpenedAgain) {

@@ -253,9 +253,21 @@ TEST_F(GuiProgram, WhatIsForALogIsRefusedWithoutOne) {
 }
 
 TEST_F(GuiProgram, UnattendedNothingIsSimulatedBeyondTheEnd) {
-    expectOneLine(offscreen({"--run", "soccer.toml", "--at", "999"}), {"soccer.toml: lasts 60.0 s", "999.0 s"}, 1);
+    expectOneLine(offscreen({"--run", "soccer.toml", "--at", "999"}), {"soccer.toml: ends at 60.0 s", "999.0 s"}, 1);
     EXPECT_EQ(offscreen({"--run", "soccer.toml", "--at", "5", "--print-hash"}).out,
               offscreen({"--run", "soccer.toml", "--ticks", "250", "--print-hash"}).out);
+}
+
+/// Its duration counts from where it branched.
+TEST_F(GuiProgram, TrialThatBranchedOpensAtTheEndOfItsRow) {
+    const std::string file =
+        write("x.toml",
+              "format = \"mrose experiment\"\nversion = 1\nname = \"x\"\nscenario = \"soccer.toml\"\ntrials = 1\n"
+              "branch = 'time > 1.5'\nbranch_within_s = 3.0\nduration_s = 1.0\n[[variant]]\nname = \"on\"\n");
+    const ProgramResult end = offscreen({file, "--trial", "1", "--variant", "on", "--at", "2.52", "--print-hash"});
+    EXPECT_EQ(end.status, 0) << end.err;
+    expectOneLine(offscreen({file, "--trial", "1", "--variant", "on", "--at", "2.54"}), {"ends at 2.52 s", "2.54 s"},
+                  1);
 }
 
 /// No window is left in which something could be done about it.

@@ -112,5 +112,18 @@ TEST_F(WindowFilesTest, ReloadThatComesToNothingLeavesTheUsersBranchUnsaved) {
     EXPECT_TRUE(waitFor([&] { return !window.files().saver().hasUnsaved(); }));
 }
 
+/// Its duration counts from where it branched.
+TEST_F(WindowFilesTest, TimelineOfATrialThatBranchedEndsWhereItsRunDoes) {
+    OpenRequest request{
+        write("x.toml",
+              "format = \"mrose experiment\"\nversion = 1\nname = \"x\"\nscenario = \"soccer.toml\"\ntrials = 1\n"
+              "branch = 'time > 1.5'\nbranch_within_s = 3.0\nduration_s = 1.0\n[[variant]]\nname = \"on\"\n")};
+    request.trial = 1;
+    ASSERT_TRUE(window.files().openNow(request, {}));
+    settle();
+    EXPECT_EQ(window.timeline().content().first, 76);
+    EXPECT_EQ(window.timeline().content().end, 76 + 50);
+}
+
 }  // namespace
 }  // namespace mrose::gui

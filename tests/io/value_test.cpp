@@ -68,6 +68,28 @@ TEST(Value, StarIsAllElements) {
     EXPECT_FALSE(value.with("seed[*]", 1));
 }
 
+TEST(Value, PlacesAreTheSameHoweverAPathIsWritten) {
+    using Places = std::vector<std::string>;
+    const Value value = game();
+    EXPECT_EQ(value.places("robot[\"keeper\"].start.x_m"), Places{"robot[2].start.x_m"});
+    EXPECT_EQ(value.places("robot[2].start.x_m"), Places{"robot[2].start.x_m"});
+    EXPECT_EQ(value.places("robot[*].type.shape"), (Places{"robot[1].type.shape", "robot[2].type.shape"}));
+    EXPECT_EQ(value.places("robot[2].controller.gain"), Places{"robot[2].controller.gain"}) << "a new key";
+    for (const char* const none : {"robot[3].start", "robot[\"b\"]", "object[*].start", "robot[x]"})
+        EXPECT_EQ(value.places(none), Places{}) << none;
+}
+
+TEST(Value, WhoNamesAnElementHasTheLastWord) {
+    std::string order;
+    for (const auto& [path, value] : generalFirst({{"a", 1},
+                                                   {"robot[\"keeper\"].w[*].x", 2},
+                                                   {"robot[*].w[*].x", 3},
+                                                   {"robot[\"keeper\"].w[1].x", 4},
+                                                   {"b", 5}}))
+        order += std::to_string(*value.asInteger());
+    EXPECT_EQ(order, "32154") << "else as they are in the table";
+}
+
 TEST(Value, EqualityIsOfContentToTheLastBit) {
     EXPECT_EQ(game(), game());
     EXPECT_NE(Value(0.0), Value(-0.0));

@@ -67,6 +67,18 @@ TEST_F(PluginExperiment, ATrialIsRepeatedByItsCommand) {
     EXPECT_THAT(again.out, HasSubstr("state " + table.rows[2][table.columnOf("world_hash")]));
 }
 
+/// It is the scenario's mistake, not that of the variant or the draw that is put into it.
+TEST_F(PluginExperiment, APluginThatIsNotThereIsToldWhereTheScenarioNamesIt) {
+    const std::string file = experiment("well_behaved", speeds_, "speed_mps = 0.1\n");
+    write("lane.toml", replaced(read("lane.toml"), testPlugin("well_behaved"), "nothing.so"));
+    write("lane_trials.toml", read("lane_trials.toml") + "[[variant]]\nname = \"east\"\n");
+    const ProgramResult result = run(file, "refused");
+    EXPECT_NE(result.status, 0);
+    EXPECT_THAT(result.err, HasSubstr("lane.toml:12:11: "));
+    EXPECT_THAT(result.err, HasSubstr("nothing.so"));
+    EXPECT_EQ(result.err.find("east"), std::string::npos) << result.err;
+}
+
 TEST_F(PluginExperiment, FaultsAreInTheirRows) {
     const std::string file =
         experiment("misbehaving", "path = \"robot[1].controller.options.after_s\"\nof = [1.0, 100.0]\n",

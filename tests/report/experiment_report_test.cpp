@@ -29,6 +29,7 @@ VariantSummary variant(const std::string& name, double time, double share) {
             40,
             38,
             1,
+            "trial 7: a: failed",
             {measured("feature.asked", 7777, 7000, 8000), measured("measure.time <s>", time, time - 1, time + 2),
              measured("measure.done", share, share - 0.1, share + 0.1, true)}};
 }

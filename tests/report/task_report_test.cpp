@@ -1,5 +1,7 @@
 #include "report/task_report.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,6 +99,30 @@ TEST_F(TaskReportTest, OfManyInputsThoseAreDrawnAlongWhichErrorsDiffer) {
     const std::string html = taskReportHtml({"r.csv", "t.net", network_, held, judgement}, context_);
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 3u + 9u);
     EXPECT_THAT(html, HasSubstr("the 9 of 30 inputs"));
+}
+
+/// Errors of a half with one value are those of all of it, whichever of its rows are in which tenth.
+TEST_F(TaskReportTest, RowsWithTheSameInputAreOneGroup) {
+    TaskJudgement judgement = judgement_;
+    TaskData& held = judgement.heldOut;
+    held.inputs = {"box", "in no order"};
+    held.x.clear();
+    for (std::size_t row = 0; row < held.rows(); ++row) {
+        const std::size_t half = row % 2;
+        // Errors are 1 and 3 of the one half in turn, 2 of the other.
+        const double error = half == 1 ? 2 : row / 2 < held.rows() / 4 ? 1 : 3;
+        for (std::size_t o = 0; o < 2; ++o)
+            judgement.predictors[0].predicted[2 * row + o] = held.y[2 * row + o] + error;
+        held.x.push_back(static_cast<double>(half));
+        held.x.push_back(uniformNoise({3, static_cast<std::int64_t>(row), 0, 0}));
+    }
+    EXPECT_EQ(inputsByError(judgement).front(), 1u) << "along the first nothing differs";
+    const std::string figure = inputErrorFigure(judgement, 0);
+    const std::size_t line = figure.find("class=\"line ");
+    ASSERT_NE(line, figure.npos) << figure;
+    const std::size_t tag = figure.rfind("<path", line);
+    const std::string path = figure.substr(tag, figure.find('>', tag) - tag);
+    EXPECT_EQ(std::ranges::count(path, 'M') + std::ranges::count(path, 'L'), 2) << path;
 }
 
 TEST_F(TaskReportTest, PredictionsAreOfAllThatIsHeldOut) {

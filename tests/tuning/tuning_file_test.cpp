@@ -120,6 +120,12 @@ TEST_F(TuningFileTest, WhatIsWrongHasItsPlace) {
                         "[[parameter]]\nname = \"again\"\npath = "
                         "\"robot[1].controller.commands[1].v_mps\"\nfrom = 0.1\nto = 0.5\n"),
                 HasSubstr("is that of another parameter, too"));
+    EXPECT_THAT(refusal(budget + Lane::speed +
+                        "[[parameter]]\nname = \"again\"\npath = "
+                        "'robot[\"a\"].controller.commands[1].v_mps'\nfrom = 0.1\nto = 0.5\n"),
+                HasSubstr("robot[\"a\"].controller.commands[1].v_mps is that of another parameter, too"));
+    EXPECT_THAT(refusalOf("path = 'robot[\"a\"].start.x_m'", "path = \"robot[1].controller.commands[1].v_mps\""),
+                HasSubstr("robot[\"a\"].start.x_m is drawn by \"x\" for each trial"));
 }
 
 TEST_F(TuningFileTest, TheExperimentsMistakesAreItsOwn) {

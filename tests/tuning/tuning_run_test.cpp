@@ -11,6 +11,7 @@
 #include "io/file.h"
 #include "scenario/settings_file.h"
 #include "support/temporary_folder.h"
+#include "support/workshop.h"
 #include "tuning/lane.h"
 #include "tuning/tuning_output.h"
 
@@ -206,6 +207,37 @@ TEST_F(TuningRunTest, TheSettingsAreReadAndGiveTheScenarioThatWasFound) {
               summary->result.candidates[summary->result.best].values[0]);
     EXPECT_EQ(*content->at("evidence.held_out_from")->asInteger(), 17);
     EXPECT_EQ(*content->at("evidence.after.mean")->asFloat(), evidenceOf(summary->result).after.mean);
+}
+
+/// Of a robot that is named and of all: it is judged as the settings then are.
+TEST_F(TuningRunTest, AParameterOfOneRobotPrevailsOverOneOfAll) {
+    std::string& scenario = lane_.texts["s.toml"];
+    scenario +=
+        replaced(replaced(scenario.substr(scenario.find("[[robot]]")), "\"a\"", "\"b\""), "y_m = 0.0", "y_m = 3.0");
+    const std::string ofAll = replaced(Lane::speed, "robot[1]", "robot[*]"),
+                      ofOne =
+                          replaced(replaced(Lane::speed, "robot[1]", "robot[\\\"a\\\"]"), "\"speed\"", "\"its speed\"");
+    const Tuning lanes = tuning(Lane::budget + ofOne + ofAll);
+    const auto summary = run(lanes);
+    ASSERT_TRUE(summary) << summary.error().message();
+    const std::vector<double>& found = summary->result.candidates[summary->result.best].values;
+    EXPECT_NEAR(found[0], 0.25, 0.02) << "the one whose way is measured";
+    EXPECT_NE(found[0], found[1]);
+    const auto content = parseToml(settingsText(lanes, summary->result, {}), "tuned.toml");
+    ASSERT_TRUE(content) << content.error().message();
+    const auto with = readSettings(*content, "tuned.toml")->putInto(lanes.experiment.scenario);
+    ASSERT_TRUE(with);
+    EXPECT_EQ(*with->at("robot[1].controller.commands[1].v_mps")->asFloat(), found[0]);
+    EXPECT_EQ(*with->at("robot[2].controller.commands[1].v_mps")->asFloat(), found[1]);
+    // Also where a variant names them.
+    lane_.texts["tuned.toml"] = settingsText(lanes, summary->result, {});
+    const Value::File file = lane_.file(
+        "y.toml", std::string(Lane::experiment) + "[[variant]]\nname = \"tuned\"\nsettings = \"tuned.toml\"\n");
+    const auto experiment = readExperiment(file, lane_.source());
+    ASSERT_TRUE(experiment) << experiment.error().message();
+    ASSERT_EQ(experiment->variants[0].set.size(), 2u);
+    EXPECT_EQ(experiment->variants[0].set[0].second, Value(found[1]));
+    EXPECT_EQ(experiment->variants[0].set[1].second, Value(found[0]));
 }
 
 /// Of an experiment whose variant names settings.

@@ -335,8 +335,45 @@ TEST_F(ValidationTest, TrialsWithoutANumberAreLeftOutAndCounted) {
     ASSERT_TRUE(wrong) << wrong.error().message();
     const auto refused = validationResult(*wrong, results_);
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message(), HasSubstr("v.toml: measure[\"way_m\"]: is 0.8"));
+    EXPECT_THAT(refused.error().message(), testing::StartsWith("v.toml:20:10: measure[\"way_m\"]: is 0.8"));
     EXPECT_THAT(refused.error().message(), HasSubstr("expected 1 or 0"));
+}
+
+/// A controller that crashes gains nothing by it, whatever was measured until then.
+TEST_F(ValidationTest, RunsThatAFaultEndedHaveNoNumber) {
+    const auto validation = read(text_);
+    ASSERT_TRUE(validation) << validation.error().message();
+    validated(*validation);
+    const std::size_t end = results_.columnOf("end"), way = results_.columnOf("measure.way_m");
+    for (std::vector<std::string>& row : results_.rows)
+        if (row[0] <= "105" && row[results_.columnOf("variant")] == "2") row[end] = "fault", row[way] = "1000.0";
+    const auto result = validationResult(*validation, results_);
+    ASSERT_TRUE(result) << result.error().message();
+    EXPECT_EQ(result->cells[1].faulty, 5);
+    for (const MeasureValidation& of : result->measures) {
+        EXPECT_EQ(of.leftOut, 5u);
+        EXPECT_EQ(of.trials.front().trial, 106u);
+    }
+    EXPECT_NEAR(result->measures[0].gain[0].value, 1.2, 1e-9);
+    for (const Disagreement& one : result->disagreements) EXPECT_LT(one.simulated, 3);
+    EXPECT_THAT(validationReportHtml(*validation, *result, results_, {}), HasSubstr("left out: ended by a fault"));
+}
+
+/// Told with its line, and as soon as the first such run is over.
+TEST_F(ValidationTest, MeasureOfYesAndNoIsCheckedAtItsFirstRun) {
+    const auto validation = read(
+        replaced(text_, "name = \"way_m\"\nbetter = \"more\"", "name = \"way_m\"\nbetter = \"more\"\nyes_no = true"));
+    ASSERT_TRUE(validation) << validation.error().message();
+    options_.fits = [&](const RunKey& key, const RowOutcome& outcome) {
+        return checkOutcome(*validation, key, outcome);
+    };
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    std::int64_t done = 0;
+    options_.progress = [&](std::int64_t now, std::int64_t) { done = now; };
+    const auto refused = runExperiment(validation->experiment, options_, place());
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message(), testing::StartsWith("v.toml:20:10: measure[\"way_m\"]: is 0.8"));
+    EXPECT_EQ(done, 0);
 }
 
 TEST_F(ValidationTest, PageSaysWhatSurvivesAndWhereTheyDisagree) {

@@ -106,15 +106,15 @@ Expected<void> WindowFiles::take(Expected<OpenedRun> run, std::optional<double> 
 Expected<void> WindowFiles::goTo(const OpenedRun& run, double at) {
     const Scene& scene = run.setup->scene();
     const std::int64_t end = run.recorded() ? run.branches.front().branch.timeline.last()
-                                            : scene.ticksOf(run.setup->scenario->parts().duration);
+                                            : run.start.tick + scene.ticksOf(run.setup->scenario->parts().duration);
     std::int64_t tick = scene.ticksOf(fromSeconds(at));
     if (tick > end && !run.recorded() && frame_.actions.unattended())
-        return fail(run.source.file, "lasts " + plainSeconds(scene.timeOf(end)) + " s, and not the " +
+        return fail(run.source.file, "ends at " + plainSeconds(scene.timeOf(end)) + " s, before the " +
                                          plainSeconds(scene.timeOf(tick)) + " s that were asked for");
     if (tick > end)
         frame_.messages.add(
             {Kind::note, (run.recorded() ? tr("The recording ends at %1 s, before the %2 s that were asked for")
-                                         : tr("The scenario lasts %1 s; it is simulated beyond its end, up to "
+                                         : tr("The scenario ends at %1 s; it is simulated beyond its end, up to "
                                               "the %2 s that were asked for"))
                              .arg(toSeconds(scene.timeOf(end)), 0, 'f', 2)
                              .arg(at, 0, 'f', 2)});

@@ -17,7 +17,7 @@ RunTimeline::RunTimeline(const WindowFrame& frame, TimelineBar& timeline, FieldV
     connect(&timeline, &TimelineBar::tickRequested, this,
             [this](std::int64_t tick) { frame_.session.seek(tick, false); });
     connect(&frame.session, &Session::opening, this, [this](const OpenedRun& run) {
-        plannedTicks_ = run.setup->scene().ticksOf(run.setup->scenario->parts().duration);
+        plannedEnd_ = run.start.tick + run.setup->scene().ticksOf(run.setup->scenario->parts().duration);
         noted_.clear();
         plots_.setReferences({}, {});
     });
@@ -38,7 +38,7 @@ void RunTimeline::refresh() {
     content.first = shown.first;
     content.last = shown.last;
     content.now = shown.tick();
-    content.end = std::max(plannedTicks_, shown.last);
+    content.end = std::max(plannedEnd_, shown.last);
     content.tickLength = shown.frame->scene().tickLength;
     content.marks = shown.marks;
     content.noted = noted_;

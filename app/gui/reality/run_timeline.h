@@ -40,7 +40,7 @@ private:
     FieldView& field_;
     PlotPanel& plots_;
     Overlay& overlay_;
-    std::int64_t plannedTicks_ = 0;
+    std::int64_t plannedEnd_ = 0;
     std::vector<TimelineBar::Content::Noted> noted_;
     // What was reported last, and for which robot: finding it reads the whole log.
     std::shared_ptr<const Reality> reality_;
