@@ -75,6 +75,10 @@ TEST_F(EvaluateSensorProgram, JudgesARobotsOwnLocalisation) {
     EXPECT_TRUE(json["models"][2]["pose_log_likelihood"].is_null());
     EXPECT_THAT(read("localised/report.html"), HasSubstr("How true a learned localisation is"));
     EXPECT_THAT(read("localised/poses.csv"), HasSubstr("error_heading_rad,expected_heading_rad"));
+    const ProgramResult predicted =
+        runMrose({"predict", path("own.net"), "--log", path("held-out"), "--queries", path("localised/poses.csv"),
+                  "--samples", "1", "-o", path("predicted.csv"), "-q"});
+    EXPECT_EQ(predicted.status, 0) << "of all that were judged: " << predicted.err;
     const std::string camera = learned("table");
     expectOneLine(runMrose({"evaluate", path("own.net"), "--log", path("held-out"), "--against", camera}),
                   {"table.net", "expected a sensor of its robot's own pose"});
