@@ -76,7 +76,7 @@ SoundMisfits soundMisfits(SensorInspection& found, const std::vector<KnownReadin
         const auto misfit = misfitOf(known, found.lateness.identified ? found.lateness.lateness : 0);
         if (!misfit) continue;
         ++found.known;
-        if (std::abs(misfit->range) > grossRange || std::abs(misfit->bearing) > grossBearing) {
+        if (isGross(misfit->range, misfit->bearing)) {
             ++found.gross;
             continue;
         }
@@ -167,6 +167,8 @@ void checkMotion(SensorInspection& found, const RobotLog& robot) {
 }
 
 }  // namespace
+
+bool isGross(double range, double bearing) { return std::abs(range) > grossRange || std::abs(bearing) > grossBearing; }
 
 SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name) {
     SensorInspection found = countsOf(log, robot, name);

@@ -45,6 +45,9 @@ struct SensorInspection {
     double grossShare() const { return known > 0 ? static_cast<double>(gross) / static_cast<double>(known) : 0; }
 };
 
+/// Whether a reading is so far off, in m and rad, that it is an error of another kind than noise.
+bool isGross(double range, double bearing);
+
 /// Of the sensor of that name.
 SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name);
 /// Of each sensor of a robot of the log, in the order of its trajectories.
