@@ -78,6 +78,11 @@ Printed printed(const SensorInspection& sensor) {
                          {"range_spread_m", sensor.rangeSpread},
                          {"bearing_offset_rad", sensor.bearingOffset},
                          {"bearing_spread_rad", sensor.bearingSpread}};
+    if (sensor.pose.poses > 0)
+        json["truth"] = {{"poses", sensor.pose.poses},
+                         {"position_off_m", sensor.pose.distance},
+                         {"heading_off_rad", sensor.pose.heading},
+                         {"looks_exchanged", sensor.pose.looksExchanged()}};
     return json;
 }
 

@@ -44,11 +44,15 @@ std::vector<std::string> noticesOf(const std::vector<LocaliserCase>& cases, cons
     if (20 * (reported - sound) > reported)
         notices.push_back(std::to_string(reported - sound) + " of " + counted(reported, "pose") +
                           " are ten times farther off than most, and their errors are left out.");
-    for (const InspectedSensor& sensor : found.each)
-        if (sensor.found.followed)
-            notices.push_back("The poses of robot " + log.robots[sensor.robot].robot + " show " +
+    for (const InspectedSensor& sensor : found.each) {
+        const std::string& robot = log.robots[sensor.robot].robot;
+        if (sensor.found.pose.looksExchanged())
+            notices.push_back("Robot " + robot + ": " + exchangedText(sensor.found.pose));
+        else if (sensor.found.followed)
+            notices.push_back("The poses of robot " + robot + " show " +
                               fixed(std::max(0.0, 100 * *sensor.found.followed), 0) +
                               " % of how it truly moved: are their stamps from another clock?");
+    }
     return notices;
 }
 

@@ -124,6 +124,9 @@ Expected<void> checkFits(const SensorSummary& summary, const std::vector<Log>& l
         if (found.known >= fewest && 2 * found.gross > found.known)
             return fail(of.source, misfitCause(found.sensor, name, static_cast<std::int64_t>(found.gross),
                                                static_cast<std::int64_t>(found.known)));
+        if (found.pose.looksExchanged())
+            return fail(of.source, '"' + found.sensor + "\" of " + name +
+                                       " does not fit the ground truth: " + exchangedText(found.pose));
         if (found.followed)
             return fail(of.source, "the readings of \"" + found.sensor + "\" of " + name +
                                        " do not fit the ground truth: they show " +

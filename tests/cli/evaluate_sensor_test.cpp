@@ -88,6 +88,35 @@ TEST_F(EvaluateSensorProgram, JudgesARobotsOwnLocalisation) {
                   {"localised", "--overwrite"});
 }
 
+TEST_F(EvaluateSensorProgram, SaysWhereCoordinatesOfReportedPosesLookExchanged) {
+    ASSERT_EQ(
+        runMrose({"generate", "--set", "training", "--sensors", "--trajectories", "6", "-o", path("drives"), "-q"})
+            .status,
+        0);
+    const auto inspected = [&] {
+        const ProgramResult ran = runMrose({"inspect", path("drives")});
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        return ran.out;
+    };
+    const std::vector<std::string> train{
+        "train", path("drives"), "--sensor", "localisation", "-o",         path("own.net"), "--epochs",
+        "5",     "--hidden",     "4",        "-q",           "--overwrite"};
+    const char* const said = "m with x and y exchanged: are the columns reported_x and reported_y exchanged?";
+    const std::string before = inspected();
+    EXPECT_THAT(before, testing::ContainsRegex("off the ground truth: 0.[0-9]+ m and [0-9.]+ deg in the median"));
+    EXPECT_THAT(before, testing::Not(HasSubstr(said)));
+    ASSERT_EQ(runMrose(train).status, 0);
+    for (const auto& file : std::filesystem::directory_iterator(path("drives"))) {
+        const std::string name = "drives/" + file.path().filename().string();
+        write(name, replaced(read(name), "reported_x,reported_y", "reported_y,reported_x"));
+    }
+    EXPECT_THAT(inspected(), HasSubstr(said));
+    expectOneLine(runMrose(train), {path("drives"), "\"localisation\" of robot reference does not fit", said});
+    const ProgramResult judged = runMrose({"evaluate", path("own.net"), "--log", path("drives"), "-q"});
+    EXPECT_THAT(judged.out, HasSubstr("Note: Robot reference: its poses are"));
+    EXPECT_THAT(judged.out, HasSubstr(said));
+}
+
 TEST_F(EvaluateSensorProgram, ConstantNoiseIsInTheFileToTheBit) {
     const auto network = loadSensor(learned("table"));
     ASSERT_TRUE(network) << network.error().message();
