@@ -188,7 +188,7 @@ SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std:
     found.rangeSpread = robustSpread(sound.range, found.rangeOffset);
     found.bearingOffset = medianOf(sound.bearing);
     found.bearingSpread = robustSpread(sound.bearing, found.bearingOffset);
-    findChanges(found, robot, sound);
+    if (!found.misfits()) findChanges(found, robot, sound);
     return found;
 }
 

@@ -211,6 +211,15 @@ TEST(SensorChanges, OfRangesAreSharesOfThem) {
     EXPECT_NEAR(found.changes[0].offset, 0.2, 0.01);
 }
 
+TEST(SensorChanges, AreNotFoundWhereNothingFits) {
+    Log log = plantedSensorLog({.bearingOffset = stretch(0.05)});
+    int count = 0;
+    for (Look& look : log.robots[0].trajectories[0].sensors[0].looks)
+        for (LogReading& reading : look.readings)
+            if (++count % 3 != 0) reading.range += 2;
+    EXPECT_THAT(inspected(log).at(cameraAt).changes, IsEmpty());
+}
+
 TEST(SensorChanges, AreNotFoundWhereAllIsAsEver) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed)
         EXPECT_THAT(camera({.bearingNoise = 0.02, .bearingOffset = [](double) { return 0.03; }, .seed = seed}).changes,
