@@ -135,7 +135,8 @@ int runInspect(const InspectRequest& request, const CommonFlags& common) {
                 log->measurementFiles.empty()
                     ? ""
                     : (", " + std::to_string(log->measurementFiles.size()) + " of them of measurements").c_str());
-    for (const std::string& missing : log->incomplete) std::printf("Note: %s\n", missing.c_str());
+    for (const auto& notices : {log->incomplete, log->unitDoubts})
+        for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
     if (!log->hasMeasurements()) std::puts("The log holds no measurements: nothing that sensors reported.");
     for (const RobotInspection& robot : log->robots) printRobot(robot);
     if (log->hasMeasurements())

@@ -153,7 +153,8 @@ std::string inspectionJson(const LogInspection& inspection) {
     Printed json{{"source", inspection.source},
                  {"format", inspection.format},
                  {"synthetic", inspection.synthetic},
-                 {"incomplete", inspection.incomplete}};
+                 {"incomplete", inspection.incomplete},
+                 {"unit_doubts", inspection.unitDoubts}};
     for (const LogFile& file : inspection.files) json["files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
     for (const LogFile& file : inspection.measurementFiles)
         json["measurement_files"].push_back({{"path", file.path}, {"xxh3", file.hash}});

@@ -9,6 +9,7 @@
 #include "io/format.h"
 #include "logs/log_lookup.h"
 #include "logs/sensor_defects.h"
+#include "logs/unit_doubts.h"
 #include "workflow/learning_logs.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
@@ -118,20 +119,23 @@ SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary
 /// Of readings of any robot that are mostly off the ground truth.
 Expected<void> checkFits(const SensorSummary& summary, const std::vector<Log>& logs) {
     constexpr std::size_t fewest = 20;  // readings: fewer say nothing, and are of no weight
+    const auto misfit = [](const Log& log, const std::string& cause) {
+        return fail(log.source, withUnitDoubts(cause, log));
+    };
     for (const auto& [log, robot, found] : summary.each) {
         const Log& of = logs[log];
         const std::string name = "robot " + of.robots[robot].robot;
         if (found.known >= fewest && 2 * found.gross > found.known)
-            return fail(of.source, misfitCause(found.sensor, name, static_cast<std::int64_t>(found.gross),
-                                               static_cast<std::int64_t>(found.known)));
+            return misfit(of, misfitCause(found.sensor, name, static_cast<std::int64_t>(found.gross),
+                                          static_cast<std::int64_t>(found.known)));
         if (found.pose.looksExchanged())
-            return fail(of.source, '"' + found.sensor + "\" of " + name +
-                                       " does not fit the ground truth: " + exchangedText(found.pose));
+            return misfit(of, '"' + found.sensor + "\" of " + name +
+                                  " does not fit the ground truth: " + exchangedText(found.pose));
         if (found.followed)
-            return fail(of.source, "the readings of \"" + found.sensor + "\" of " + name +
-                                       " do not fit the ground truth: they show " +
-                                       fixed(std::max(0.0, 100 * *found.followed), 0) +
-                                       " % of how the robot truly moved; are their stamps of another clock?");
+            return misfit(of, "the readings of \"" + found.sensor + "\" of " + name +
+                                  " do not fit the ground truth: they show " +
+                                  fixed(std::max(0.0, 100 * *found.followed), 0) +
+                                  " % of how the robot truly moved; are their stamps of another clock?");
     }
     return {};
 }

@@ -252,6 +252,10 @@ TEST_F(TrainSensor, RefusesWithOneLine) {
         expectError(trainSensor(request(write("team.csv", team), sensor)), path("team.csv"),
                     {"\" of robot b do not fit"});
     }
+    Log inDegrees = plantedSensorLog({});
+    for (StampedPose& pose : inDegrees.robots[0].trajectories[0].poses) pose.pose.heading *= 57.3;
+    expectError(trainSensor(request(write("degrees.csv", inDegrees), "camera")), path("degrees.csv"),
+                {"\"camera\" of robot a do not fit", "headings are expected in radians, not in degrees"});
     Log placeless = plantedSensorLog({});
     for (LogSubject& subject : placeless.subjects) subject.position.reset();
     expectError(trainSensor(request(write("unknown.csv", placeless), "camera")), path("unknown.csv"),
