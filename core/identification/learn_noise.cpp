@@ -135,6 +135,7 @@ LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, c
                         const NetworkTrainerOptions& options, const NetworkProgressCallback& learns,
                         const Progress& fits) {
     numberGroups(logs);
+    const bool ofKnownRobots = groupsOfRobots(logs).empty();
     std::vector<Judged> all;
     for (int part = 0; part < noiseParts; ++part) {
         const auto shifted = [&](NetworkProgress p) {
@@ -162,7 +163,7 @@ LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, c
     ResidualNoise noise = fitResidualNoise(rollouts, blueprint.period, fitting, watched(0, 0.9));
     if (!cancelled) noise.constant = fitConstantNoise(rollouts, blueprint.period, fitting, watched(0.9, 1));
     if (cancelled) return {std::nullopt, "cancelled", true};
-    return {std::move(noise), {}, false};
+    return {std::move(noise), {}, false, ofKnownRobots};
 }
 
 }  // namespace mrose

@@ -41,7 +41,8 @@ using NetworkProgressCallback = std::function<bool(const NetworkProgress&)>;
 struct TrainedNetwork {
     MotionNetwork network;  ///< with layers, scales, heldOut and training.{method, loss, seed, patterns, epochs}
     bool cancelled = false;
-    std::string withoutNoise = {};  ///< why the network knows its mean alone, where its noise was to be learned
+    bool noiseOfKnownRobots = false;  ///< its noise was learned without robots that a network did not know
+    std::string withoutNoise = {};    ///< why the network knows its mean alone, where its noise was to be learned
 };
 
 /// Learns a motion network open loop. `blueprint` says form, robots, period, inputs (their scales are found here),

@@ -174,6 +174,7 @@ std::string trainingJson(const TrainedNetwork& trained, const std::string& file,
                    {"kept_from_learning", keptFromLearning(n.heldOut.part)},
                    {"limits", limitsJson(n.limits)},
                    {"noise", n.noise.has_value()},
+                   {"noise_of_known_robots", trained.noiseOfKnownRobots},
                    {"without_noise", trained.withoutNoise},
                    {"interrupted", trained.cancelled}}
         .dump(2);
