@@ -84,6 +84,7 @@ Expected<LocaliserEvaluation> evaluateLocaliser(const EvaluateSensorRequest& req
     std::vector<std::string>& notices = evaluation.context.notices;
     notices = noticesOf(*log);
     for (std::string& notice : noticesOf(*own, *log, samples->robots)) notices.push_back(std::move(notice));
+    for (std::string& notice : besideNotices(*networks, request, *log)) notices.push_back(std::move(notice));
     for (std::string& notice :
          noticesOf(evaluation.cases, *log, summariseSensor({&*log, 1}, own->sensor, request.robots)))
         notices.push_back(std::move(notice));

@@ -38,8 +38,9 @@ TEST_F(EvaluateSensorProgram, ComparesNetworksWithIdealSensors) {
     const std::string table = learned("table"), trees = learned("trees");
     const ProgramResult shown = runMrose(words(table, {"--against", trees}));
     ASSERT_EQ(shown.status, 0) << shown.err;
-    for (const char* text : {"camera of robot 1", "table.net", "trees.net", "ideal plus noise", "bearing 1 mrad",
-                             "Note: The network was learned from this log"})
+    for (const char* text :
+         {"camera of robot 1", "table.net", "trees.net", "ideal plus noise", "bearing 1 mrad",
+          "Note: The network was learned from this log", "Note: trees.net was learned from this log"})
         EXPECT_THAT(shown.out, HasSubstr(text));
     const ProgramResult printed = runMrose(words(table, {"--json", "--robots", "1", "--report", path("report")}));
     ASSERT_EQ(printed.status, 0) << printed.err;
