@@ -89,6 +89,24 @@ TEST_F(EvaluateSensorProgram, JudgesARobotsOwnLocalisation) {
                   {"localised", "--overwrite"});
 }
 
+TEST_F(EvaluateSensorProgram, SaysThatALogIsSynthetic) {
+    ASSERT_EQ(
+        runMrose({"generate", "--set", "training", "--sensors", "--trajectories", "6", "-o", path("drives"), "-q"})
+            .status,
+        0);
+    ASSERT_EQ(runMrose({"train", path("drives"), "--sensor", "camera", "--family", "table", "-o", path("camera.net"),
+                        "--epochs", "5", "-q"})
+                  .status,
+              0);
+    const ProgramResult seen = runMrose({"evaluate", path("camera.net"), "--log", path("drives")});
+    EXPECT_THAT(seen.out, HasSubstr(path("drives") + " (synthetic), camera of robot reference"));
+    EXPECT_THAT(seen.out, HasSubstr("\nsynthetic "));
+    const ProgramResult driven =
+        runMrose({"evaluate", "pioneer.net", "--log", path("drives"), "--no-floor", "--samples", "19"});
+    EXPECT_THAT(driven.out, HasSubstr(path("drives") + " (synthetic), robot reference"));
+    EXPECT_THAT(driven.out, HasSubstr("\nsynthetic "));
+}
+
 TEST_F(EvaluateSensorProgram, SaysWhereCoordinatesOfReportedPosesLookExchanged) {
     ASSERT_EQ(
         runMrose({"generate", "--set", "training", "--sensors", "--trajectories", "6", "-o", path("drives"), "-q"})
