@@ -45,6 +45,9 @@ struct TrainedNetwork {
     std::string withoutNoise = {};    ///< why the network knows its mean alone, where its noise was to be learned
 };
 
+/// The fewest parts that logs are divided into, held out in turn.
+constexpr int leastFolds = 2;
+
 /// Learns a motion network open loop. `blueprint` says form, robots, period, inputs (their scales are found here),
 /// recovery. Runs in the caller's oneTBB arena; the same samples, options and seed give the same network whatever the
 /// number of threads. Levenberg-Marquardt needs LearningLoss::oneStep. Error: too few patterns to learn from and to
