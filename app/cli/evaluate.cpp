@@ -66,10 +66,11 @@ void printForecasts(const Evaluation& evaluation) {
 void printTable(const Evaluation& evaluation, const std::vector<std::string>& notices) {
     int steps = 0;
     for (const Window& window : evaluation.log.windows) steps = std::max(steps, window.steps());
-    std::printf("%s, robot %s: %zu windows of %s s, open loop\n\n", evaluation.log.source.c_str(),
-                robotList(evaluation).c_str(), evaluation.log.windows.size(),
+    const bool synthetic = evaluation.log.synthetic;
+    std::printf("%s%s, robot %s: %zu windows of %s s, open loop\n\n", evaluation.log.source.c_str(),
+                synthetic ? " (synthetic)" : "", robotList(evaluation).c_str(), evaluation.log.windows.size(),
                 secondsText(evaluation.log.options.step * steps, 0).c_str());
-    TextTable table({"", "P %", "Hd %", "median pos. %", "final cm", "final deg"});
+    TextTable table({synthetic ? "synthetic" : "", "P %", "Hd %", "median pos. %", "final cm", "final deg"});
     for (const Assessment& model : evaluation.models)
         table.add({model.name, fixed(model.all.p, 2), fixed(model.all.hd, 2),
                    fixed(model.all.positionMeanOverPath.median, 2), fixed(100 * model.all.positionFinal.median, 2),

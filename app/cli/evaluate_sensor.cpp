@@ -18,10 +18,10 @@ void printTable(const SensorEvaluation& evaluation, const std::vector<std::strin
     const LoggedCases& log = evaluation.log;
     std::string robots;
     for (const LoggedCases::Robot& robot : log.robots) robots += (robots.empty() ? "" : ", ") + robot.name;
-    std::printf("%s, %s of robot %s: %zu looks, %zu subjects to report, %zu reported\n\n", log.source.c_str(),
-                log.sensor.c_str(), robots.c_str(), log.looks.size(), log.cases.size(),
-                evaluation.models.front().all.readings);
-    std::vector<std::string> header{"", "range cm"};
+    std::printf("%s%s, %s of robot %s: %zu looks, %zu subjects to report, %zu reported\n\n", log.source.c_str(),
+                log.synthetic ? " (synthetic)" : "", log.sensor.c_str(), robots.c_str(), log.looks.size(),
+                log.cases.size(), evaluation.models.front().all.readings);
+    std::vector<std::string> header{log.synthetic ? "synthetic" : "", "range cm"};
     for (const LoggedCases::Robot& robot : log.robots) header.push_back("bearing " + robot.name + " mrad");
     for (const char* name : {"detection", "off %", "range 50 / 90 %", "bearing 50 / 90 %"}) header.emplace_back(name);
     TextTable table(header);

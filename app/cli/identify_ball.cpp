@@ -51,7 +51,7 @@ Subcommand addIdentifyBall(CLI::App& app, CommonFlags& common) {
     CLI::App* sub =
         addSubcommand(app, common, "identify-ball",
                       "How a ball rolls, slides and bounces, from the tracked ball of a log, with standard errors",
-                      "  mrose identify-ball mylogs --environment my_hall.toml -o ball.toml\n"
+                      "  mrose identify-ball mylogs --environment my_hall.toml -o ball_found.toml\n"
                       "  mrose generate --set kicks -o kicks && mrose identify-ball kicks\n"
                       "The file has the keys that environment, scenario and robot files take. Without --environment "
                       "only touches count "

@@ -75,6 +75,10 @@ void printSensor(const SensorInspection& sensor, std::size_t trajectories) {
     const std::string name = sensor.sensor + std::string(sensor.sensor.size() < 9 ? 9 - sensor.sensor.size() : 0, ' ');
     std::printf("  %s %s\n            %s\n", name.c_str(), reportsText(sensor).c_str(), timesText(sensor).c_str());
     if (sensor.known > 0) std::printf("            %s\n", truthText(sensor).c_str());
+    if (sensor.pose.poses > 0)
+        std::printf("            off the ground truth: %s m and %s deg in the median\n",
+                    fixed(sensor.pose.distance, 3).c_str(), fixed(degrees * sensor.pose.heading, 1).c_str());
+    if (sensor.pose.looksExchanged()) std::printf("  Note: %s\n", exchangedText(sensor.pose).c_str());
     for (const SensorDefectCount& count : sensorDefectCounts()) {
         const std::int64_t found = sensor.defects.*count.count;
         if (found > 0)
@@ -131,7 +135,8 @@ int runInspect(const InspectRequest& request, const CommonFlags& common) {
                 log->measurementFiles.empty()
                     ? ""
                     : (", " + std::to_string(log->measurementFiles.size()) + " of them of measurements").c_str());
-    for (const std::string& missing : log->incomplete) std::printf("Note: %s\n", missing.c_str());
+    for (const auto& notices : {log->incomplete, log->unitDoubts})
+        for (const std::string& notice : notices) std::printf("Note: %s\n", notice.c_str());
     if (!log->hasMeasurements()) std::puts("The log holds no measurements: nothing that sensors reported.");
     for (const RobotInspection& robot : log->robots) printRobot(robot);
     if (log->hasMeasurements())

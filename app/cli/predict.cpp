@@ -84,9 +84,10 @@ Subcommand addPredict(CLI::App& app, CommonFlags& common) {
     sub->add_option("--robots", request->robots,
                     "Predict only these robots, by name: 1,2. The others are there all the same, and occlude")
         ->delimiter(',');
-    sub->add_option("--horizon", request->horizon, "Length of a prediction in s")
+    sub->add_option("--horizon", request->horizon, "Of motion: length of a prediction in s")
         ->check(numberRange(0.1, 3600.0))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->excludes(queries);
     auto samples = std::make_shared<int>(0);
     sub->add_option(
            "--samples", *samples,

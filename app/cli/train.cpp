@@ -255,6 +255,10 @@ void printSummary(const TrainedNetwork& trained, const std::string& file, double
         n.heldOut.horizon, static_cast<long long>(n.heldOut.windows), n.heldOut.position, n.heldOut.heading);
     if (const std::string limits = limitsInWords(n.limits); !limits.empty())
         std::printf("limits of the drive, found in the logs: %s\n", limits.c_str());
+    if (trained.noiseOfKnownRobots)
+        std::puts(
+            "Note: the logs have fewer than three robots: the noise is of robots that the network knows, over time "
+            "that it does not. Other robots may stray further.");
     if (!trained.withoutNoise.empty())
         std::printf("Note: its noise was not learned: %s\n", trained.withoutNoise.c_str());
     if (n.heldOut.part.holdsAny())

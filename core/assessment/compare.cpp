@@ -251,6 +251,10 @@ Expected<Comparison> compare(const LogWorld& world, std::span<const RolloutReque
     summariseAll(world, options.windows, comparison);
     for (const LogSubject& subject : world.log().subjects) comparison.subjects.push_back(subject.name);
     comparison.sensors = comparedSensors(sensors, driven, requests);
+    if (!sensors.empty()) {
+        const std::vector<LogFile>& measured = world.log().measurementFiles;
+        comparison.log.files.insert(comparison.log.files.end(), measured.begin(), measured.end());
+    }
     return comparison;
 }
 

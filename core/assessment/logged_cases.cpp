@@ -137,7 +137,7 @@ Expected<LoggedCases> loggedCases(const Log& log, const std::string& sensor, std
     if (readings == 0)
         return fail(log.source, log.withIncomplete("\"" + sensor + "\" of " + robotsText(cases) + " reported no " +
                                                    what + ": nothing to judge errors by"));
-    if (2 * gross > readings) return fail(log.source, misfitCause(sensor, gross, readings));
+    if (2 * gross > readings) return fail(log.source, misfitCause(sensor, robotsText(cases), gross, readings));
     return cases;
 }
 

@@ -35,9 +35,11 @@ std::optional<std::size_t> trajectoryAt(const RobotLog& robot, Nanoseconds time)
     return std::nullopt;
 }
 
-Expected<QueryPlace> placeOf(const SensorQuery& query, SensorMeasures measures, const Log& log,
+/// A pose is judged by the truth at the instant that it is of, so that there must be truth then; a look by that at its
+/// stamp.
+Expected<QueryPlace> placeOf(const SensorQuery& query, const SensorNetwork& sensor, const Log& log,
                              const std::string& fileName) {
-    const bool ofSubject = measures == SensorMeasures::subjects;
+    const bool ofSubject = sensor.measures == SensorMeasures::subjects;
     if (ofSubject && log.dataset != 0 && query.dataset != log.dataset)
         return fail(
             fileName,
@@ -55,9 +57,12 @@ Expected<QueryPlace> placeOf(const SensorQuery& query, SensorMeasures measures, 
                         query.line, "subject");
         place.subject = static_cast<std::size_t>(subject - log.subjects.begin());
     }
-    const auto trajectory = trajectoryAt(*robot, query.time);
+    const Nanoseconds before = ofSubject ? 0 : sensor.latency;
+    const auto trajectory = trajectoryAt(*robot, query.time - before);
     if (!trajectory)
-        return fail(fileName, "no ground truth of robot " + query.robot + " at " + secondsText(query.time) + " s",
+        return fail(fileName,
+                    "no ground truth of robot " + query.robot + " at " + secondsText(query.time - before) + " s" +
+                        (before > 0 ? ", which a pose of this stamp is of" : ""),
                     query.line, "t");
     place.trajectory = *trajectory;
     return place;
@@ -140,7 +145,7 @@ Expected<std::vector<SensorPrediction>> predictQueries(const LearnedSensor& sens
     // queries of one look are predicted together
     std::map<std::tuple<std::size_t, std::size_t, Nanoseconds>, std::vector<std::pair<std::size_t, std::size_t>>> looks;
     for (std::size_t i = 0; i < queries.size(); ++i) {
-        const auto place = placeOf(queries[i], measures, view.log(), fileName);
+        const auto place = placeOf(queries[i], sensor.network(), view.log(), fileName);
         if (!place) return tl::unexpected(place.error());
         if (measures == SensorMeasures::pose) {
             predictions[i] = predictPose(sensor, view, *place, queries[i].time - sensor.network().latency);

@@ -29,7 +29,8 @@ Expected<std::vector<SensorQuery>> parseQueries(std::string_view content, const 
 
 /// The distribution of each query's reading, with what is true. A prediction uses the ground truth of all robots of the
 /// log up to the query's stamp and 0.2 s beyond it, and none of its readings. Error with the query's line in
-/// `fileName`: another data set, an unknown robot or subject, no ground truth then.
+/// `fileName`: another data set, an unknown robot or subject, no ground truth at its stamp or, of a pose,
+/// at the instant that it is of.
 struct SensorPrediction {
     SensedState state;  ///< range 0: nothing is known of the subject's place
     ReadingDistribution distribution;

@@ -43,6 +43,7 @@ struct BallIdentification {
     std::size_t misfits = 0;      ///< stretches that are no free motion
     bool obstacles = false;       ///< of an environment were given
     bool synthetic = false;
+    std::vector<std::string> unitDoubts = {};  ///< what in the log looks like other units, a sentence each
 };
 
 struct BallIdentificationOptions {

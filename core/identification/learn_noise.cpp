@@ -61,8 +61,6 @@ std::vector<std::set<std::string>> groupsOfRobots(const std::vector<Log>& logs) 
     return groups;
 }
 
-constexpr int leastFolds = 2;
-
 /// What is learned from while a part is not known, and that part.
 struct Division {
     std::vector<Log> learned, rest;
@@ -119,7 +117,7 @@ Expected<Judged> learnWithout(int part, const std::vector<Log>& logs, const Moti
     };
     auto trained = learned();
     for (; !trained && own.folds > leastFolds; trained = learned()) own.folds = std::max(leastFolds, own.folds / 2);
-    if (!trained) return tl::unexpected(trained.error());
+    if (!trained) return fail("", "in learning without a third of the logs, " + trained.error().cause);
     own.phases = std::min(sampling.phases, 2);
     own.folds = 1;
     own.measuredStarts = true;
@@ -135,6 +133,7 @@ LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, c
                         const NetworkTrainerOptions& options, const NetworkProgressCallback& learns,
                         const Progress& fits) {
     numberGroups(logs);
+    const bool ofKnownRobots = groupsOfRobots(logs).empty();
     std::vector<Judged> all;
     for (int part = 0; part < noiseParts; ++part) {
         const auto shifted = [&](NetworkProgress p) {
@@ -162,7 +161,7 @@ LearnedNoise learnNoise(std::vector<Log> logs, const MotionNetwork& blueprint, c
     ResidualNoise noise = fitResidualNoise(rollouts, blueprint.period, fitting, watched(0, 0.9));
     if (!cancelled) noise.constant = fitConstantNoise(rollouts, blueprint.period, fitting, watched(0.9, 1));
     if (cancelled) return {std::nullopt, "cancelled", true};
-    return {std::move(noise), {}, false};
+    return {std::move(noise), {}, false, ofKnownRobots};
 }
 
 }  // namespace mrose

@@ -16,8 +16,9 @@ constexpr int noiseParts = 3;
 
 struct LearnedNoise {
     std::optional<ResidualNoise> noise;
-    std::string missing;     ///< why there is none
-    bool cancelled = false;  ///< then there is none
+    std::string missing;         ///< why there is none
+    bool cancelled = false;      ///< then there is none
+    bool ofKnownRobots = false;  ///< the logs have too few robots to keep some from learning: only time was kept
 };
 
 /// The noise of networks of this blueprint: of what those that are learned from two thirds of the logs get wrong over

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "learning/parallel_for.h"
+#include "logs/unit_doubts.h"
 
 namespace mrose {
 namespace {
@@ -55,7 +56,7 @@ bool LogInspection::hasMeasurements() const {
 }
 
 LogInspection inspect(const Log& log) {
-    LogInspection found{log.source, log.format, log.synthetic, log.files, log.incomplete, {}};
+    LogInspection found{log.source, log.format, log.synthetic, log.files, log.incomplete, unitDoubts(log), {}};
     const std::vector<DeadTimes> delays = identifyEachDeadTime(log);
     for (std::size_t i = 0; i < log.robots.size(); ++i) found.robots.push_back(inspectRobot(log.robots[i], delays[i]));
     found.measurementFiles = log.measurementFiles;

@@ -43,6 +43,7 @@ struct LogInspection {
     bool synthetic = false;
     std::vector<LogFile> files;
     std::vector<std::string> incomplete;  ///< as Log::incomplete
+    std::vector<std::string> unitDoubts;  ///< what looks like other units, a sentence each
     std::vector<RobotInspection> robots;
     std::vector<LogFile> measurementFiles = {};  ///< as Log::measurementFiles
 

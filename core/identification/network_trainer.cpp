@@ -195,7 +195,8 @@ Expected<void> checkParts(const MotionSamples& samples, const MotionNetwork& net
         if (objective.learnedPatterns() == 0 || objective.heldOutChainCount() == 0)
             return fail("", "the logs are too short: part " + std::to_string(fold + 1) + " of " +
                                 std::to_string(samples.folds) +
-                                " leaves nothing to learn from or to hold out; expected longer logs, or fewer parts");
+                                " leaves nothing to learn from or to hold out; expected longer logs, or more of them" +
+                                (samples.folds > leastFolds ? ", or fewer parts (--folds)" : ""));
     }
     return {};
 }

@@ -41,8 +41,12 @@ using NetworkProgressCallback = std::function<bool(const NetworkProgress&)>;
 struct TrainedNetwork {
     MotionNetwork network;  ///< with layers, scales, heldOut and training.{method, loss, seed, patterns, epochs}
     bool cancelled = false;
-    std::string withoutNoise = {};  ///< why the network knows its mean alone, where its noise was to be learned
+    bool noiseOfKnownRobots = false;  ///< its noise was learned without robots that a network did not know
+    std::string withoutNoise = {};    ///< why the network knows its mean alone, where its noise was to be learned
 };
+
+/// The fewest parts that logs are divided into, held out in turn.
+constexpr int leastFolds = 2;
 
 /// Learns a motion network open loop. `blueprint` says form, robots, period, inputs (their scales are found here),
 /// recovery. Runs in the caller's oneTBB arena; the same samples, options and seed give the same network whatever the

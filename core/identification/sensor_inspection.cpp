@@ -6,7 +6,7 @@
 
 #include "geometry/point.h"
 #include "identification/robust_statistics.h"
-#include "identification/sensor_truth.h"
+#include "io/format.h"
 #include "logs/log_lookup.h"
 #include "logs/sensor_defects.h"
 
@@ -76,7 +76,7 @@ SoundMisfits soundMisfits(SensorInspection& found, const std::vector<KnownReadin
         const auto misfit = misfitOf(known, found.lateness.identified ? found.lateness.lateness : 0);
         if (!misfit) continue;
         ++found.known;
-        if (std::abs(misfit->range) > grossRange || std::abs(misfit->bearing) > grossBearing) {
+        if (isGross(misfit->range, misfit->bearing)) {
             ++found.gross;
             continue;
         }
@@ -159,29 +159,36 @@ SensorLateness latenessOf(const SensorInspection& found, const RobotLog& robot,
     return {false, found.scans > 0 ? "nothing says what its scans should show" : "it reported no subject"};
 }
 
-void checkMotion(SensorInspection& found, const RobotLog& robot) {
+void checkPoses(SensorInspection& found, const RobotLog& robot) {
     if (found.readings > 0 || found.poses == 0) return;
-    const FollowedMotion followed =
-        followedMotion(robot, found.sensor, found.lateness.identified ? found.lateness.lateness : 0);
+    const double lateness = found.lateness.identified ? found.lateness.lateness : 0;
+    found.pose = poseMisfit(robot, found.sensor, lateness);
+    const FollowedMotion followed = followedMotion(robot, found.sensor, lateness);
     if (followed.share + 3 * followed.error < 0.5) found.followed = followed.share;
 }
 
 }  // namespace
+
+std::string exchangedText(const PoseMisfit& pose) {
+    return "its poses are " + fixed(pose.distance, 2) + " m off the ground truth in the median, and " +
+           fixed(pose.exchanged, 2) + " m with x and y exchanged: are the columns reported_x and reported_y exchanged?";
+}
+
+bool isGross(double range, double bearing) { return std::abs(range) > grossRange || std::abs(bearing) > grossBearing; }
 
 SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name) {
     SensorInspection found = countsOf(log, robot, name);
     const std::vector<KnownReading> readings = knownReadings(log, robot, name);
     found.lateness = latenessOf(found, robot, readings);
     const SoundMisfits sound = soundMisfits(found, readings, robot.trajectories.size());
-    checkMotion(found, robot);
-    if (2 * found.gross > found.known || found.followed)
-        found.lateness = {false, "its readings do not fit the ground truth"};
+    checkPoses(found, robot);
+    if (found.misfits()) found.lateness = {false, "its readings do not fit the ground truth"};
     if (sound.range.empty()) return found;
     found.rangeOffset = medianOf(sound.range);
     found.rangeSpread = robustSpread(sound.range, found.rangeOffset);
     found.bearingOffset = medianOf(sound.bearing);
     found.bearingSpread = robustSpread(sound.bearing, found.bearingOffset);
-    findChanges(found, robot, sound);
+    if (!found.misfits()) findChanges(found, robot, sound);
     return found;
 }
 

@@ -7,6 +7,7 @@
 
 #include "identification/level_changes.h"
 #include "identification/sensor_lateness.h"
+#include "identification/sensor_truth.h"
 #include "logs/robot_log.h"
 
 namespace mrose {
@@ -40,10 +41,19 @@ struct SensorInspection {
     SensorLateness lateness;
     /// Of reported poses the share of the true motion that they follow, where that is known to be less than half.
     std::optional<double> followed;
+    PoseMisfit pose;                    ///< of reported poses, at the lateness
     std::vector<SensorChange> changes;  ///< in ascending time within each trajectory
 
+    /// Readings that are mostly gross, poses that do not follow the motion or lie elsewhere.
+    bool misfits() const { return 2 * gross > known || followed || pose.looksExchanged(); }
     double grossShare() const { return known > 0 ? static_cast<double>(gross) / static_cast<double>(known) : 0; }
 };
+
+/// Whether a reading is so far off, in m and rad, that it is an error of another kind than noise.
+bool isGross(double range, double bearing);
+
+/// Of poses that look so: how far off they are, as they are and with x and y exchanged.
+std::string exchangedText(const PoseMisfit& pose);
 
 /// Of the sensor of that name.
 SensorInspection inspectSensor(const Log& log, const RobotLog& robot, const std::string& name);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "identification/robust_statistics.h"
-#include "identification/sensor_inspection.h"
 
 namespace mrose {
 namespace {
@@ -68,20 +67,14 @@ SensorSummary summariseSensor(std::span<const Log> logs, const std::string& sens
                 if (change.cause == SensorChange::Cause::truth)
                     summary.falseTruth.push_back({log, robot, change.index, change.firstStamp, change.lastStamp});
             summary.readings += found.readings;
-            summary.known += found.known;
-            summary.gross += found.gross;
             summary.poses += found.poses;
-            if (found.followed) {
-                summary.followed += static_cast<double>(found.poses) * *found.followed;
-                summary.strayPoses += found.poses;
-            }
             summary.scans += found.scans;
+            summary.each.push_back({log, robot, found});
             latenesses.push_back(found.lateness);
             if (found.period <= 0) continue;
             periods.push_back(found.period);
             spreads.push_back(found.periodSpread / found.period);
         }
-    if (summary.strayPoses > 0) summary.followed /= static_cast<double>(summary.strayPoses);
     summary.lateness = pooledLateness(latenesses);
     if (periods.empty()) return summary;
     summary.clocked = medianOf(spreads) < regular;

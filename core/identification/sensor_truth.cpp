@@ -216,6 +216,27 @@ FollowedMotion followedMotion(const RobotLog& robot, const std::string& sensor, 
     return weights > 0 ? FollowedMotion{sum / weights, 1 / std::sqrt(weights)} : FollowedMotion{};
 }
 
+PoseMisfit poseMisfit(const RobotLog& robot, const std::string& sensor, double lateness) {
+    std::vector<double> distances, headings, exchanged, motions;
+    for (const Trajectory& trajectory : robot.trajectories) {
+        const SensorLog* const own = findSensor(trajectory, sensor);
+        if (own == nullptr) continue;
+        for (const StampedPose& reported : own->poses) {
+            const Nanoseconds time = reported.time - fromSeconds(lateness);
+            const auto truth = poseAt(trajectory, time);
+            if (!truth) continue;
+            const Pose& pose = reported.pose;
+            distances.push_back(distance(position(pose), position(*truth)));
+            exchanged.push_back(distance({pose.y, pose.x}, position(*truth)));
+            headings.push_back(std::abs(wrapAngle(pose.heading - truth->heading)));
+            if (const auto before = poseAt(trajectory, time - nanosecondsPerSecond))
+                motions.push_back(distance(position(*before), position(*truth)));
+        }
+    }
+    if (motions.empty()) return {};
+    return {distances.size(), medianOf(distances), medianOf(headings), medianOf(exchanged), medianOf(motions)};
+}
+
 std::vector<StampedMisfit> courseMisfits(const std::vector<StampedPose>& poses) {
     constexpr Nanoseconds half = nanosecondsPerSecond / 2;
     constexpr double shortestWay = 0.05, largestTurn = 0.2;  // m, rad

@@ -45,6 +45,18 @@ struct FollowedMotion {
 };
 FollowedMotion followedMotion(const RobotLog& robot, const std::string& sensor, double lateness);
 
+/// How far reported poses lie off the truth at a lateness [s] before their stamps: medians, NaN of none.
+struct PoseMisfit {
+    std::size_t poses = 0;                 ///< with truth
+    double distance = NAN, heading = NAN;  ///< m, rad
+    double exchanged = NAN;                ///< m: the distance if x and y of what was reported were exchanged
+    double motion = NAN;                   ///< m that the robot moved in a second
+
+    /// Far off as they are, and farther than stamps that are a second off explain, but near with x and y exchanged.
+    bool looksExchanged() const { return distance > motion && distance > 4 * exchanged; }
+};
+PoseMisfit poseMisfit(const RobotLog& robot, const std::string& sensor, double lateness);
+
 /// How the direction in which a robot moves differs from its tracked heading while it drives, every 0.5 s; a half turn
 /// is left out, for it may drive backwards. It is the tracker's error where the robot cannot slip aside.
 std::vector<StampedMisfit> courseMisfits(const std::vector<StampedPose>& poses);

@@ -19,9 +19,10 @@ static_assert(sizeof(SensorDefects) == std::size(sensorCounts) * sizeof(std::int
 
 std::span<const SensorDefectCount> sensorDefectCounts() { return sensorCounts; }
 
-std::string misfitCause(const std::string& sensor, std::int64_t gross, std::int64_t readings) {
-    return "the readings of \"" + sensor + "\" do not fit the ground truth: " + std::to_string(gross) + " of " +
-           std::to_string(readings) +
+std::string misfitCause(const std::string& sensor, const std::string& robots, std::int64_t gross,
+                        std::int64_t readings) {
+    return "the readings of \"" + sensor + "\" of " + robots +
+           " do not fit the ground truth: " + std::to_string(gross) + " of " + std::to_string(readings) +
            " are more than 1 m or 0.15 rad off; are their stamps of another clock, or columns swapped?";
 }
 

@@ -17,7 +17,9 @@ struct SensorDefectCount {
 std::span<const SensorDefectCount> sensorDefectCounts();
 
 /// Of a sensor whose readings mostly lie more than 1 m or 0.15 rad off the ground truth, and what may be wrong then.
-std::string misfitCause(const std::string& sensor, std::int64_t gross, std::int64_t readings);
+/// `robots`: whose it is, as "robot 1".
+std::string misfitCause(const std::string& sensor, const std::string& robots, std::int64_t gross,
+                        std::int64_t readings);
 
 void addDefects(SensorDefects& sum, const SensorDefects& more);
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr Nanoseconds shortTime = truthGap / 2;   // noise is small beside what happens meanwhile
 constexpr double fastest = 50, fastestTurn = 20;  // m/s, rad/s: no mobile robot is
+constexpr double leastWay = 0.05;                 // m: less is noise of a ball that lies
 constexpr double farthest = 300;                  // m: no sensor of a mobile robot reports more
 constexpr double seldom = 0.05;                   // share of the time that trackers and sensors may err
 
@@ -21,6 +22,24 @@ struct Motion {
     std::int64_t spans = 0, fast = 0, fastTurns = 0;
 
     void add(const std::vector<StampedPose>& poses);
+};
+
+/// What is known of neighbouring positions of all tracked balls.
+struct BallMotion {
+    std::int64_t spans = 0, fast = 0;
+
+    void add(const std::vector<StampedBall>& ball) {
+        for (std::size_t i = 1, from = 0; i < ball.size(); ++i) {
+            const Nanoseconds step = ball[i].time - ball[from].time;
+            if (ball[i].time - ball[i - 1].time >= truthGap) from = i;
+            if (from == i || step < shortTime) continue;
+            // A ball lies most of the time.
+            const double way = distance(ball[from].place, ball[i].place);
+            spans += way > leastWay;
+            fast += way > fastest * toSeconds(step);
+            from = i;
+        }
+    }
 };
 
 void Motion::add(const std::vector<StampedPose>& poses) {
@@ -69,13 +88,20 @@ std::string shortText(double value) {
 
 }  // namespace
 
+std::string withUnitDoubts(std::string cause, const Log& log) {
+    for (const std::string& doubt : unitDoubts(log)) cause += (cause.ends_with('?') ? " " : ". ") + doubt;
+    return cause;
+}
+
 std::vector<std::string> unitDoubts(const Log& log) {
     if (log.format != "csv") return {};
     Motion motion, reported;
+    BallMotion ball;
     Ranges ranges;
     for (const RobotLog& robot : log.robots)
         for (const Trajectory& trajectory : robot.trajectories) {
             motion.add(trajectory.poses);
+            ball.add(trajectory.ball);
             for (const SensorLog& sensor : trajectory.sensors) {
                 reported.add(sensor.poses);
                 ranges.add(sensor);
@@ -91,6 +117,9 @@ std::vector<std::string> unitDoubts(const Log& log) {
     if (isOften(motion.fastTurns, motion.spans))
         doubts.push_back("The real robots would turn by more than " + shortText(fastestTurn) +
                          " rad/s: headings are expected in radians, not in degrees.");
+    if (isOften(ball.fast, ball.spans))
+        doubts.push_back("The ball would often move at more than " + shortText(fastest) +
+                         " m/s: its positions are expected in metres, times in seconds.");
     if (isOften(reported.fast, reported.spans) || isOften(reported.fastTurns, reported.spans))
         doubts.push_back("By the poses that they reported, the real robots would drive at more than " +
                          shortText(fastest) + " m/s or turn by more than " + shortText(fastestTurn) +

@@ -7,9 +7,12 @@
 
 namespace mrose {
 
+/// The cause of an error of a log, followed by what looks like another unit in it.
+std::string withUnitDoubts(std::string cause, const Log& log);
+
 /// What in a CSV log looks like another unit than the format's, a sentence each: times so far apart that nothing is
-/// known between poses, robots that are faster, or turn faster, than any, sensors that see farther. Other formats have
-/// units of their own.
+/// known between poses, robots and balls that are faster, or turn faster, than any, sensors that see farther. Other
+/// formats have units of their own.
 std::vector<std::string> unitDoubts(const Log& log);
 
 }  // namespace mrose

@@ -61,7 +61,7 @@ std::string ballKeysText(const BallIdentification& found, const std::string& sou
 }
 
 std::vector<std::string> ballNotes(const BallIdentification& found) {
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = found.unitDoubts;
     if (found.synthetic) notes.push_back("The log is synthetic: no real ball rolled.");
     if (!found.obstacles && found.oblique > 0)
         notes.push_back("Of " + counted(found.touches, "touch", "touches") + ", " + std::to_string(found.oblique) +

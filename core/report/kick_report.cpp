@@ -112,7 +112,7 @@ Expected<void> checkKickReportFolder(const std::filesystem::path& folder, bool o
 std::string kickReportHtml(const KickReport& report, const ReportContext& context) {
     const std::string_view word = realWord(report);
     const std::string title = "How true a learned kicker is";
-    const std::string key = legend(cat(dotEntry("realmark", cat("a ", word, " kick that met the ball")),
+    const std::string key = legend(cat(dotEntry("realdot", cat("a ", word, " kick that met the ball")),
                                        lineEntry("s0", "5 and 95 % of what is predicted")));
     HtmlTable facts({{"", {"", ""}}}, "words");
     addModelFacts(facts, context);

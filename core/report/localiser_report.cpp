@@ -120,7 +120,7 @@ Expected<void> checkLocaliserReportFolder(const std::filesystem::path& folder, b
 std::string localiserReportHtml(const LocaliserReport& report, const ReportContext& context) {
     const LearnedSensorModel model(report.network);
     const std::string title = "How true a learned localisation is";
-    const std::string key = legend(cat(dotEntry("realmark", cat("a ", loggedWord(report), " pose")),
+    const std::string key = legend(cat(dotEntry("realdot", cat("a ", loggedWord(report), " pose")),
                                        lineEntry("s0", "5 and 95 % of what is predicted")));
     const auto speed = [](const SensedState& state) { return state.velocity.v; };
     const auto turning = [](const SensedState& state) { return degrees * state.velocity.w; };

@@ -90,7 +90,7 @@ path.axis { stroke: var(--soft); stroke-width: 1.2; fill: none; }
 rect.k0 { fill: var(--k0); } rect.k1 { fill: var(--k1); } rect.k2 { fill: var(--k2); }
 .realband { fill: var(--real); stroke: none; opacity: .28; } .realband.inner { opacity: .5; }
 .edge { stroke-width: 1.6; stroke-dasharray: none; } .edge.outer { stroke-width: 1.4; stroke-dasharray: 5 3; }
-.realmark { fill: var(--real); stroke: var(--card); stroke-width: 1; } .realmiss { --c: var(--realarrow); stroke-width: 1.4; }
+.realdot { fill: var(--real); opacity: .6; } .realmark { fill: var(--real); stroke: var(--card); stroke-width: 1; } .realmiss { --c: var(--realarrow); stroke-width: 1.4; }
 .mark { fill: var(--c0); } .sample { fill: var(--c0); opacity: .55; } .subject { fill: var(--ink); } .unreported { fill: var(--card); stroke: var(--ink); stroke-width: 1.6; }
 .body { fill: var(--k0); opacity: .6; } .own { fill: var(--ink); } .arc { --c: var(--rule); stroke-width: 1; } .sight { --c: var(--soft); stroke-width: 1.2; stroke-dasharray: 5 3; } .sight.over { --c: #fff; }
 rect.even { fill: var(--c0); opacity: .55; } .nothing { fill: var(--grid); }

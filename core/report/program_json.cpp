@@ -78,6 +78,11 @@ Printed printed(const SensorInspection& sensor) {
                          {"range_spread_m", sensor.rangeSpread},
                          {"bearing_offset_rad", sensor.bearingOffset},
                          {"bearing_spread_rad", sensor.bearingSpread}};
+    if (sensor.pose.poses > 0)
+        json["truth"] = {{"poses", sensor.pose.poses},
+                         {"position_off_m", sensor.pose.distance},
+                         {"heading_off_rad", sensor.pose.heading},
+                         {"looks_exchanged", sensor.pose.looksExchanged()}};
     return json;
 }
 
@@ -148,7 +153,8 @@ std::string inspectionJson(const LogInspection& inspection) {
     Printed json{{"source", inspection.source},
                  {"format", inspection.format},
                  {"synthetic", inspection.synthetic},
-                 {"incomplete", inspection.incomplete}};
+                 {"incomplete", inspection.incomplete},
+                 {"unit_doubts", inspection.unitDoubts}};
     for (const LogFile& file : inspection.files) json["files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
     for (const LogFile& file : inspection.measurementFiles)
         json["measurement_files"].push_back({{"path", file.path}, {"xxh3", file.hash}});
@@ -168,6 +174,7 @@ std::string trainingJson(const TrainedNetwork& trained, const std::string& file,
                    {"kept_from_learning", keptFromLearning(n.heldOut.part)},
                    {"limits", limitsJson(n.limits)},
                    {"noise", n.noise.has_value()},
+                   {"noise_of_known_robots", trained.noiseOfKnownRobots},
                    {"without_noise", trained.withoutNoise},
                    {"interrupted", trained.cancelled}}
         .dump(2);

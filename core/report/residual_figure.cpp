@@ -26,10 +26,12 @@ std::string residualFigure(std::vector<ResidualDot> dots, std::string_view title
         high.push_back({mean.x, mean.high});
     }
     for (const ResidualDot& dot : dots) most = std::max({most, std::abs(dot.off), -dot.low, dot.high});
-    SvgPlot plot({.width = 440, .height = 300}, usable({dots.front().x, dots.back().x}), {-1.05 * most, 1.05 * most},
-                 std::string(title));
+    // Dots at the ends are within the frame.
+    const double beside = 0.02 * (dots.back().x - dots.front().x);
+    SvgPlot plot({.width = 440, .height = 300}, usable({dots.front().x - beside, dots.back().x + beside}),
+                 {-1.05 * most, 1.05 * most}, std::string(title));
     plot.axes(std::string(xTitle), std::string(yTitle));
-    for (const ResidualDot& dot : dots) plot.circle({dot.x, dot.off}, 2.4, "realmark");
+    for (const ResidualDot& dot : dots) plot.circle({dot.x, dot.off}, 2.4, "realdot");
     plot.line(low, "s0");
     plot.line(high, "s0");
     return plot.text();

@@ -81,6 +81,13 @@ Value::File DescriptionLibrary::file(TomlTable& table, std::string_view key, con
     return nullptr;
 }
 
+Error DescriptionLibrary::saysWhoNames(Error error, const Value::File& file, const std::string& from,
+                                       std::string_view key) const {
+    if (error.key == "format" && error.file == shown(file->name))
+        error.cause += "; " + shown(from) + " names this file as its " + std::string(key);
+    return error;
+}
+
 std::shared_ptr<const Shape> DescriptionLibrary::shape(TomlTable& table, std::string_view key,
                                                        const std::string& from) {
     const Value::File file = this->file(table, key, from, "shapes", Holds::tables);
@@ -88,7 +95,7 @@ std::shared_ptr<const Shape> DescriptionLibrary::shape(TomlTable& table, std::st
     std::shared_ptr<const Shape>& shape = shapes_[file];
     if (shape) return shape;
     auto read = readShape(file->content, shown(file->name));
-    if (!read) return table.adopt(read.error()), nullptr;
+    if (!read) return table.adopt(saysWhoNames(read.error(), file, from, key)), nullptr;
     return shape = std::make_shared<const Shape>(std::move(*read));
 }
 

@@ -58,6 +58,9 @@ public:
     Expected<std::optional<ExcerptContent>> excerpt(const LogExcerpt& excerpt) { return source_.excerpt(excerpt); }
 
     std::string shown(const std::string& name) const { return source_.shown(name); }
+    /// Of a file that holds something else than the file `from` expects under `key`, the error says who names it: a
+    /// file beside it may be called as one that ships.
+    Error saysWhoNames(Error error, const Value::File& file, const std::string& from, std::string_view key) const;
 
 private:
     /// Null: there is none of that name.

@@ -128,7 +128,7 @@ void ScenarioReader::readEnvironment() {
         library_.file(root_, "environment", name_, "resources/environments", DescriptionLibrary::Holds::tables);
     if (!file) return;
     auto environment = mrose::readEnvironment(file->content, library_.shown(file->name));
-    if (!environment) return root_.adopt(environment.error());
+    if (!environment) return root_.adopt(library_.saysWhoNames(environment.error(), file, name_, "environment"));
     scene_.environment = std::move(*environment);
     std::vector<ConvexPiece> pieces;
     for (const Obstacle& obstacle : scene_.environment.obstacles)
@@ -149,7 +149,7 @@ const RobotDescription* ScenarioReader::robotDescription(TomlTable& table) {
     auto found = descriptions_.find(file);
     if (found == descriptions_.end()) {
         auto robot = mrose::readRobot(file, library_);
-        if (!robot) return table.adopt(robot.error()), nullptr;
+        if (!robot) return table.adopt(library_.saysWhoNames(robot.error(), file, name_, "type")), nullptr;
         found = descriptions_.emplace(file, std::move(*robot)).first;
     }
     table.resolve("type", found->second.file);

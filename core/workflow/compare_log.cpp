@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "assessment/log_scenario.h"
+#include "identification/sensor_inspection.h"
 #include "io/format.h"
 #include "workflow/log_files.h"
 #include "workflow/motion_models.h"
@@ -14,13 +15,35 @@
 namespace mrose {
 namespace {
 
+/// Robots whose real sensors are often far off the ground truth: gross errors, as where a sensor is inspected.
+std::vector<std::string> misfitNotices(const Comparison& comparison) {
+    std::vector<std::string> notices;
+    for (const ComparedSensor& sensor : comparison.sensors)
+        for (std::size_t robot = 0; robot < comparison.robots.size(); ++robot) {
+            std::size_t readings = 0, gross = 0;
+            for (const SensedLook& look : sensor.looks.real)
+                for (const SensedSubject& subject : look.subjects) {
+                    if (look.robot != robot || !subject.reported) continue;
+                    ++readings;
+                    gross += isGross(subject.rangeError, subject.bearingError);
+                }
+            if (20 * gross > readings)
+                notices.push_back(
+                    "Robot " + comparison.robots[robot].realName + ": " + std::to_string(gross) + " of " +
+                    counted(readings, "reading") + " of \"" + sensor.name +
+                    "\" are more than 1 m or 0.15 rad off the truth" +
+                    (2 * gross > readings ? "; are their stamps of another clock, or columns swapped?" : "."));
+        }
+    return notices;
+}
+
 /// What must be known before the figures are believed. `asked`: how long a rollout was to be.
 std::vector<std::string> noticesAbout(const LogWorld& world, const Comparison& comparison,
                                       std::optional<Nanoseconds> asked) {
     std::vector<std::string> notices;
     if (world.log().synthetic)
         notices.push_back("The log comes from a simulated robot: nothing here says how true it is of a real one.");
-    for (const std::vector<std::string>& more : {noticesOf(world.log()), world.leftOut()})
+    for (const std::vector<std::string>& more : {noticesOf(world.log()), world.leftOut(), misfitNotices(comparison)})
         notices.insert(notices.end(), more.begin(), more.end());
     const Nanoseconds length = comparison.requests.front().steps * comparison.log.options.step;
     if (asked && length < *asked)

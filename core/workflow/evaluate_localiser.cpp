@@ -36,16 +36,23 @@ std::vector<LocaliserCase> casesOf(const SensorSamples& samples) {
 }
 
 /// What must be known of the poses before a localisation is blamed for them.
-std::vector<std::string> noticesOf(const std::vector<LocaliserCase>& cases, const SensorSummary& found) {
+std::vector<std::string> noticesOf(const std::vector<LocaliserCase>& cases, const Log& log,
+                                   const SensorSummary& found) {
     std::vector<std::string> notices;
     const auto count = [&](auto which) { return static_cast<std::size_t>(std::ranges::count_if(cases, which)); };
     const std::size_t reported = count(&LocaliserCase::reported), sound = count(&LocaliserCase::sound);
     if (20 * (reported - sound) > reported)
         notices.push_back(std::to_string(reported - sound) + " of " + counted(reported, "pose") +
                           " are ten times farther off than most, and their errors are left out.");
-    if (2 * found.strayPoses > found.poses)
-        notices.push_back("The poses show " + fixed(std::max(0.0, 100 * found.followed), 0) +
-                          " % of how the robot truly moved: are their stamps from another clock?");
+    for (const InspectedSensor& sensor : found.each) {
+        const std::string& robot = log.robots[sensor.robot].robot;
+        if (sensor.found.pose.looksExchanged())
+            notices.push_back("Robot " + robot + ": " + exchangedText(sensor.found.pose));
+        else if (sensor.found.followed)
+            notices.push_back("The poses of robot " + robot + " show " +
+                              fixed(std::max(0.0, 100 * *sensor.found.followed), 0) +
+                              " % of how it truly moved: are their stamps from another clock?");
+    }
     return notices;
 }
 
@@ -77,7 +84,9 @@ Expected<LocaliserEvaluation> evaluateLocaliser(const EvaluateSensorRequest& req
     std::vector<std::string>& notices = evaluation.context.notices;
     notices = noticesOf(*log);
     for (std::string& notice : noticesOf(*own, *log, samples->robots)) notices.push_back(std::move(notice));
-    for (std::string& notice : noticesOf(evaluation.cases, summariseSensor({&*log, 1}, own->sensor, request.robots)))
+    for (std::string& notice : besideNotices(*networks, request, *log)) notices.push_back(std::move(notice));
+    for (std::string& notice :
+         noticesOf(evaluation.cases, *log, summariseSensor({&*log, 1}, own->sensor, request.robots)))
         notices.push_back(std::move(notice));
     evaluation.network = std::move(*own);
     return evaluation;

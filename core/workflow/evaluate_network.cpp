@@ -228,6 +228,14 @@ Expected<NetworkEvaluation> evaluateNetwork(const EvaluateRequest& request, cons
     ReportContext context = reportContext(network, request);
     context.notices = noticesOf(*log);
     for (std::string& notice : noticesOf(network, *log, request.heldOut)) context.notices.push_back(std::move(notice));
+    for (std::size_t i = 0; i < request.against.size(); ++i) {
+        const MotionNetwork& other = networks[i + 1]->network();
+        HoldOut kept = other.heldOut.part;
+        kept.guard = network.heldOut.part.guard;
+        if (request.heldOut && kept == network.heldOut.part) continue;
+        context.notices.push_back(besideNotice(fileName(request.against[i]), other.training, *log));
+    }
+    std::erase(context.notices, std::string());
     context.chosen = std::move(*chosen);
     context.unfamiliar = unfamiliarShares(network, *log, evaluation->log);
     if (request.withAdvice) {

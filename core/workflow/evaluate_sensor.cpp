@@ -66,6 +66,7 @@ Expected<SensorNetworkEvaluation> evaluateSensor(const EvaluateSensorRequest& re
     context.notices = noticesOf(*log);
     for (std::string& notice : noticesOf(*own, *log, judgedRobots(*cases)))
         context.notices.push_back(std::move(notice));
+    for (std::string& notice : besideNotices(*networks, request, *log)) context.notices.push_back(std::move(notice));
     for (std::string& notice : noticesOf(*cases, *log)) context.notices.push_back(std::move(notice));
     std::vector<std::unique_ptr<SensorModel>> models;
     std::vector<NamedSensor> named;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/file.h"
+#include "logs/unit_doubts.h"
 #include "report/ball_text.h"
 #include "scenario/description_file.h"
 #include "workflow/log_files.h"
@@ -41,14 +42,18 @@ Expected<BallIdentification> identifyBall(const IdentifyBallRequest& request, co
     if (!log) return tl::unexpected(log.error());
     if (!mayGoOn(progress, 0)) return fail(log->source, "was not looked through: cancelled");
     auto found = identifyBall(*log, options);
-    if (!found) return found;
+    if (!found) {
+        found.error().cause = withUnitDoubts(found.error().cause, *log);
+        return found;
+    }
+    found->unitDoubts = unitDoubts(*log);
     if (!mayGoOn(progress, 1)) return fail(log->source, "was not looked through: cancelled");
     const std::vector<BallLine> lines = ballLines(*found);
     const bool any =
         std::any_of(lines.begin(), lines.end(), [](const BallLine& line) { return line.estimate->identified; });
     if (!request.output.empty() && !any)
         return fail(log->source, "tells nothing of its ball that " + request.output + " could hold; " +
-                                     lines.front().name + ": " + lines.front().estimate->reason);
+                                     withUnitDoubts(lines.front().name + ": " + lines.front().estimate->reason, *log));
     if (!request.output.empty())
         if (auto written = writeFileAtomically(request.output, ballKeysText(*found, log->source)); !written)
             return tl::unexpected(written.error());

@@ -39,12 +39,15 @@ std::vector<std::string> namesOf(const Log& log) {
     return names;
 }
 
+bool isKnownLog(const std::vector<NetworkSource>& known, const Log& log) {
+    return std::ranges::any_of(log.files, [&](const LogFile& file) {
+        return std::ranges::any_of(known, [&](const NetworkSource& source) { return source.hash == file.hash; });
+    });
+}
+
 /// `howJudged`: what is said beside it.
 std::string ofKnownLog(const std::vector<NetworkSource>& known, const Log& log, const std::string& howJudged) {
-    const auto isKnown = [&](const LogFile& file) {
-        return std::any_of(known.begin(), known.end(), [&](const auto& source) { return source.hash == file.hash; });
-    };
-    if (std::none_of(log.files.begin(), log.files.end(), isKnown)) return {};
+    if (!isKnownLog(known, log)) return {};
     return "The network was learned from this log: on another one its errors are larger." + howJudged;
 }
 std::string ofKnownLog(const MotionNetwork& network, const Log& log, const std::string& howJudged) {
@@ -100,6 +103,11 @@ std::vector<std::string> noticesOf(const MotionNetwork& network, const Log& log,
     notices.push_back(ofNoNoise(network));
     std::erase(notices, std::string());
     return notices;
+}
+
+std::string besideNotice(const std::string& name, const NetworkTraining& training, const Log& log) {
+    return isKnownLog(training.logs, log) ? name + " was learned from this log: on another one its errors are larger."
+                                          : "";
 }
 
 std::vector<std::string> noticesOf(const SensorNetwork& network, const Log& log,

@@ -37,7 +37,9 @@ std::vector<std::string> noticesOf(const SensorNetwork& network, const Log& log,
 /// The same of the robots of a log that are compared. Where the log names no kind of robot, theirs is that of their
 /// motion.
 std::vector<std::string> noticesOf(const MotionNetwork& network, const LogWorld& world);
-/// Of these, the one that it is of another kind of robot; empty: it is not.
+/// Of a network that is put beside the judged one, by its name: that it was learned from the log; empty: it was not.
+std::string besideNotice(const std::string& name, const NetworkTraining& training, const Log& log);
+/// Of a network in a compared world, that it is of another kind of robot; empty: it is not.
 std::string otherKindNotice(const MotionNetwork& network, const LogWorld& world);
 
 }  // namespace mrose

@@ -64,6 +64,15 @@ Expected<std::vector<NamedSensorNetwork>> openSensors(const SensorNetwork& first
     return networks;
 }
 
+std::vector<std::string> besideNotices(const std::vector<NamedSensorNetwork>& networks,
+                                       const EvaluateSensorRequest& request, const Log& log) {
+    std::vector<std::string> notices;
+    for (std::size_t i = 1; i <= request.against.size(); ++i)
+        notices.push_back(besideNotice(networks[i].name, networks[i].network.learned.training, log));
+    std::erase(notices, std::string());
+    return notices;
+}
+
 ReportContext sensorContext(const SensorNetwork& network, const EvaluateSensorRequest& request) {
     const NetworkTraining& training = network.learned.training;
     ReportContext context = contextOf(training, request.command);

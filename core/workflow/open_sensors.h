@@ -5,6 +5,7 @@
 
 #include "io/error.h"
 #include "io/progress.h"
+#include "logs/robot_log.h"
 #include "perception/sensor_network.h"
 #include "report/page.h"
 
@@ -36,6 +37,11 @@ Expected<SensorNetwork> openSensor(const std::string& path, SensorNetwork::Measu
 /// learnOtherFamilies().
 Expected<std::vector<NamedSensorNetwork>> openSensors(const SensorNetwork& first, const EvaluateSensorRequest& request,
                                                       const Progress& learns);
+
+/// Which of the networks of `request.against`, among those of openSensors(), were learned from the log, a sentence
+/// each.
+std::vector<std::string> besideNotices(const std::vector<NamedSensorNetwork>& networks,
+                                       const EvaluateSensorRequest& request, const Log& log);
 
 /// What a report says of the network.
 ReportContext sensorContext(const SensorNetwork& network, const EvaluateSensorRequest& request);

@@ -5,6 +5,7 @@
 
 #include "io/file.h"
 #include "io/format.h"
+#include "logs/unit_doubts.h"
 #include "workflow/learning_logs.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
@@ -75,7 +76,11 @@ Expected<TrainedKicker> trainKicker(const TrainKickerRequest& request, const Pro
     if (!traits) return tl::unexpected(traits.error());
     trained.samples = kickSamples(logs);
     auto network = trainKicker(trained.samples, request.training, progress);
-    if (!network) return atFile(network.error(), logs.front().source);
+    if (!network) {
+        Error error = network.error();
+        for (const Log& log : logs) error.cause = withUnitDoubts(error.cause, log);
+        return atFile(std::move(error), logs.front().source);
+    }
     trained.network = std::move(*network);
     trained.network.robotType = traits->type;
     trained.network.learned.synthetic = synthetic;

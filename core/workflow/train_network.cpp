@@ -214,6 +214,7 @@ Expected<TrainedNetwork> learnFrom(const LearningLogs& opened, const TrainReques
     LearnedNoise learned =
         learnNoise(std::move(data->logs), blueprint, sampling, options, learnsAfter(options.members), progress.fits);
     trained->network.noise = std::move(learned.noise);
+    trained->noiseOfKnownRobots = learned.ofKnownRobots;
     trained->withoutNoise = std::move(learned.missing);
     trained->cancelled = learned.cancelled;
     return trained;

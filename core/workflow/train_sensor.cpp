@@ -9,6 +9,7 @@
 #include "io/format.h"
 #include "logs/log_lookup.h"
 #include "logs/sensor_defects.h"
+#include "logs/unit_doubts.h"
 #include "workflow/learning_logs.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
@@ -115,13 +116,27 @@ SensorNetwork blueprintOf(const TrainSensorRequest& request, const SensorSummary
     return blueprint;
 }
 
-/// Of readings that are mostly off the ground truth.
-Expected<void> checkFits(const SensorSummary& found, const std::string& log, const std::string& sensor) {
-    if (2 * found.gross > found.known) return fail(log, misfitCause(sensor, found.gross, found.known));
-    if (found.readings == 0 && 2 * found.strayPoses > found.poses)
-        return fail(log, "the readings of \"" + sensor + "\" do not fit the ground truth: they show " +
-                             fixed(std::max(0.0, 100 * found.followed), 0) +
-                             " % of how the robot truly moved; are their stamps of another clock?");
+/// Of readings of any robot that are mostly off the ground truth.
+Expected<void> checkFits(const SensorSummary& summary, const std::vector<Log>& logs) {
+    constexpr std::size_t fewest = 20;  // readings: fewer say nothing, and are of no weight
+    const auto misfit = [](const Log& log, const std::string& cause) {
+        return fail(log.source, withUnitDoubts(cause, log));
+    };
+    for (const auto& [log, robot, found] : summary.each) {
+        const Log& of = logs[log];
+        const std::string name = "robot " + of.robots[robot].robot;
+        if (found.known >= fewest && 2 * found.gross > found.known)
+            return misfit(of, misfitCause(found.sensor, name, static_cast<std::int64_t>(found.gross),
+                                          static_cast<std::int64_t>(found.known)));
+        if (found.pose.looksExchanged())
+            return misfit(of, '"' + found.sensor + "\" of " + name +
+                                  " does not fit the ground truth: " + exchangedText(found.pose));
+        if (found.followed)
+            return misfit(of, "the readings of \"" + found.sensor + "\" of " + name +
+                                  " do not fit the ground truth: they show " +
+                                  fixed(std::max(0.0, 100 * *found.followed), 0) +
+                                  " % of how the robot truly moved; are their stamps of another clock?");
+    }
     return {};
 }
 
@@ -139,8 +154,7 @@ Expected<TrainedSensor> trainSensor(const TrainSensorRequest& request, const Pro
     const SensorSummary found = summariseSensor(*logs, request.sensor, request.robots);
     if (found.readings + found.poses == 0 && found.scans > 0)
         return fail(logs->front().source, "\"" + request.sensor + "\" reports scans, which cannot be learned");
-    if (const auto fits = checkFits(found, logs->front().source, request.sensor); !fits)
-        return tl::unexpected(fits.error());
+    if (const auto fits = checkFits(found, *logs); !fits) return tl::unexpected(fits.error());
     std::vector<std::string> notices;
     for (const Log& log : *logs)
         for (std::string& notice : noticesOf(log)) notices.push_back(std::move(notice));

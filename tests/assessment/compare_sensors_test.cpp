@@ -127,6 +127,20 @@ TEST(CompareSensors, ExactSensorsOfRobotsThatObeyAreAlike) {
     EXPECT_EQ(all.reportedTest.p, 1);
 }
 
+TEST(CompareSensors, FilesOfReadingsAreAmongThoseThatWereCompared) {
+    Log log = twoRobots();
+    log.files = {{"driven.csv", "1"}};
+    log.measurementFiles = {{"seen.csv", "2"}};
+    const auto names = [&](bool readings) {
+        std::string all;
+        for (const LogFile& file : compared(log, partsOf(log, {idealCamera()}), readings).log.files)
+            all += file.path + ' ';
+        return all;
+    };
+    EXPECT_EQ(names(true), "driven.csv seen.csv ");
+    EXPECT_EQ(names(false), "driven.csv ");
+}
+
 TEST(CompareSensors, WhatTheRealSensorDoesOtherwiseIsFound) {
     const Log log = twoRobots(2, 0.1);
     const StreamFigures all = compared(log, partsOf(log, {idealCamera()})).sensors[0].all;

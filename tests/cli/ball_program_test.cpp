@@ -1,4 +1,7 @@
 // Kickers and balls from logs, as users do it.
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +72,19 @@ TEST_F(BallProgram, WithoutABallOrAMapThereIsOneLine) {
     expectOneLine(runMrose({"identify-ball", file, "-o", path("ball.toml")}),
                   {"brief.csv", "tells nothing of its ball that", "ball.toml could hold"});
     EXPECT_EQ(read("ball.toml"), "");
+}
+
+TEST_F(BallProgram, ABallInMillimetresIsSaid) {
+    std::string rows = "t,v_cmd,w_cmd,x,y,heading,kick,ball_x,ball_y\n";
+    for (int i = 0; i < 1000; ++i) {
+        const double rolls = std::min(std::fmod(0.02 * i, 10.0), 3.0);
+        rows += std::to_string(0.02 * i) + ",0,0,0,0,0," + (i % 500 == 0 ? "1," : ",") +
+                std::to_string(1500 * rolls - 250 * rolls * rolls) + ",0\n";
+    }
+    const std::string file = write("millimetres.csv", rows), said = "The ball would often move at more than 50 m/s";
+    const ProgramResult found = runMrose({"identify-ball", file});
+    EXPECT_THAT(found.out + found.err, HasSubstr(said));
+    expectOneLine(runMrose({"train", file, "--kicker", "-o", path("x.net")}), {said});
 }
 
 TEST_F(BallProgram, LearnsJudgesAndSimulatesAKicker) {

@@ -6,9 +6,12 @@
 #include <map>
 #include <sstream>
 
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "io/file.h"
 #include "io/format.h"
+#include "support/camera_folder.h"
 #include "support/places.h"
 #include "support/referee.h"
 #include "support/test_data.h"
@@ -266,6 +269,26 @@ TEST_F(CompareProgram, MakesAScenarioForALogWithoutOne) {
     expectOneLine(runMrose({"compare", "--quiet", "--log", path("mine.csv")}),
                   {path("mine.csv"), "what kind of robot drove", "--robot"});
     expectOneLine(runMrose(with({"compare", path("s.toml"), "--robot", path("r.toml")})), {"--robot", "SCENARIO"}, 2);
+}
+
+TEST_F(CompareProgram, SaysWhoseReadingsDoNotFitTheTruth) {
+    const CameraFolder folder;
+    const Words words{"compare", "--log", folder.path(), "--duration", "50", "--no-causes"};
+    const ProgramResult fits = runMrose(words);
+    ASSERT_EQ(fits.status, 0) << fits.err;
+    EXPECT_THAT(fits.out, testing::Not(testing::HasSubstr("off the truth")));
+    std::istringstream rows(*readFile(folder.path() + "/Robot1_Measurement.dat"));
+    std::string time, barcode, range, mirrored;
+    std::getline(rows, mirrored);
+    mirrored += '\n';
+    for (double bearing = 0; rows >> time >> barcode >> range >> bearing;)
+        mirrored += time + ' ' + barcode + ' ' + range + ' ' + std::to_string(-bearing) + '\n';
+    folder.write(1, "Measurement", mirrored);
+    const ProgramResult off = runMrose(words);
+    ASSERT_EQ(off.status, 0) << off.err;
+    EXPECT_THAT(off.out,
+                testing::ContainsRegex("Note: Robot 1: [0-9]+ of [0-9]+ readings of \"camera\" are more than 1 "
+                                       "m or 0.15 rad off the truth; are their stamps of another clock"));
 }
 
 TEST_F(CompareProgram, DivergenceFlagsThatDoNotFit) {

@@ -38,8 +38,9 @@ TEST_F(EvaluateSensorProgram, ComparesNetworksWithIdealSensors) {
     const std::string table = learned("table"), trees = learned("trees");
     const ProgramResult shown = runMrose(words(table, {"--against", trees}));
     ASSERT_EQ(shown.status, 0) << shown.err;
-    for (const char* text : {"camera of robot 1", "table.net", "trees.net", "ideal plus noise", "bearing 1 mrad",
-                             "Note: The network was learned from this log"})
+    for (const char* text :
+         {"camera of robot 1", "table.net", "trees.net", "ideal plus noise", "bearing 1 mrad",
+          "Note: The network was learned from this log", "Note: trees.net was learned from this log"})
         EXPECT_THAT(shown.out, HasSubstr(text));
     const ProgramResult printed = runMrose(words(table, {"--json", "--robots", "1", "--report", path("report")}));
     ASSERT_EQ(printed.status, 0) << printed.err;
@@ -75,6 +76,10 @@ TEST_F(EvaluateSensorProgram, JudgesARobotsOwnLocalisation) {
     EXPECT_TRUE(json["models"][2]["pose_log_likelihood"].is_null());
     EXPECT_THAT(read("localised/report.html"), HasSubstr("How true a learned localisation is"));
     EXPECT_THAT(read("localised/poses.csv"), HasSubstr("error_heading_rad,expected_heading_rad"));
+    const ProgramResult predicted =
+        runMrose({"predict", path("own.net"), "--log", path("held-out"), "--queries", path("localised/poses.csv"),
+                  "--samples", "1", "-o", path("predicted.csv"), "-q"});
+    EXPECT_EQ(predicted.status, 0) << "of all that were judged: " << predicted.err;
     const std::string camera = learned("table");
     expectOneLine(runMrose({"evaluate", path("own.net"), "--log", path("held-out"), "--against", camera}),
                   {"table.net", "expected a sensor of its robot's own pose"});
@@ -82,6 +87,53 @@ TEST_F(EvaluateSensorProgram, JudgesARobotsOwnLocalisation) {
                   {"has no pose that \"localisation\" reported"});
     expectOneLine(runMrose({"evaluate", path("own.net"), "--log", path("held-out"), "--report", path("localised")}),
                   {"localised", "--overwrite"});
+}
+
+TEST_F(EvaluateSensorProgram, SaysThatALogIsSynthetic) {
+    ASSERT_EQ(
+        runMrose({"generate", "--set", "training", "--sensors", "--trajectories", "6", "-o", path("drives"), "-q"})
+            .status,
+        0);
+    ASSERT_EQ(runMrose({"train", path("drives"), "--sensor", "camera", "--family", "table", "-o", path("camera.net"),
+                        "--epochs", "5", "-q"})
+                  .status,
+              0);
+    const ProgramResult seen = runMrose({"evaluate", path("camera.net"), "--log", path("drives")});
+    EXPECT_THAT(seen.out, HasSubstr(path("drives") + " (synthetic), camera of robot reference"));
+    EXPECT_THAT(seen.out, HasSubstr("\nsynthetic "));
+    const ProgramResult driven =
+        runMrose({"evaluate", "pioneer.net", "--log", path("drives"), "--no-floor", "--samples", "19"});
+    EXPECT_THAT(driven.out, HasSubstr(path("drives") + " (synthetic), robot reference"));
+    EXPECT_THAT(driven.out, HasSubstr("\nsynthetic "));
+}
+
+TEST_F(EvaluateSensorProgram, SaysWhereCoordinatesOfReportedPosesLookExchanged) {
+    ASSERT_EQ(
+        runMrose({"generate", "--set", "training", "--sensors", "--trajectories", "6", "-o", path("drives"), "-q"})
+            .status,
+        0);
+    const auto inspected = [&] {
+        const ProgramResult ran = runMrose({"inspect", path("drives")});
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        return ran.out;
+    };
+    const std::vector<std::string> train{
+        "train", path("drives"), "--sensor", "localisation", "-o",         path("own.net"), "--epochs",
+        "5",     "--hidden",     "4",        "-q",           "--overwrite"};
+    const char* const said = "m with x and y exchanged: are the columns reported_x and reported_y exchanged?";
+    const std::string before = inspected();
+    EXPECT_THAT(before, testing::ContainsRegex("off the ground truth: 0.[0-9]+ m and [0-9.]+ deg in the median"));
+    EXPECT_THAT(before, testing::Not(HasSubstr(said)));
+    ASSERT_EQ(runMrose(train).status, 0);
+    for (const auto& file : std::filesystem::directory_iterator(path("drives"))) {
+        const std::string name = "drives/" + file.path().filename().string();
+        write(name, replaced(read(name), "reported_x,reported_y", "reported_y,reported_x"));
+    }
+    EXPECT_THAT(inspected(), HasSubstr(said));
+    expectOneLine(runMrose(train), {path("drives"), "\"localisation\" of robot reference does not fit", said});
+    const ProgramResult judged = runMrose({"evaluate", path("own.net"), "--log", path("drives"), "-q"});
+    EXPECT_THAT(judged.out, HasSubstr("Note: Robot reference: its poses are"));
+    EXPECT_THAT(judged.out, HasSubstr(said));
 }
 
 TEST_F(EvaluateSensorProgram, ConstantNoiseIsInTheFileToTheBit) {

@@ -131,7 +131,7 @@ TEST_F(PredictReadings, TakeASeedWithoutSamples) {
     EXPECT_NE(drawn("1"), drawn("2")) << "there are 40 unless more or fewer are asked for";
 }
 
-TEST_F(PredictReadings, SaysWhichDatasetALogWithoutNumberIs) {
+TEST_F(PredictReadings, SaysWhichDatasetALogWithoutNumberIsAndKnowsNoFlagsOfMotion) {
     const Log log = twoCameras();
     ASSERT_TRUE(writeCsv(path("log.csv"), log));
     const auto words = [&](const std::string& queries) {
@@ -141,6 +141,11 @@ TEST_F(PredictReadings, SaysWhichDatasetALogWithoutNumberIs) {
     };
     expectOneLine(runMrose(words(write("none.csv", "robot,t,subject\n"))),
                   {"none.csv:1: dataset", "dataset is 0 where the log has no number"});
+    for (const char* const ofMotion : {"--horizon", "--at"}) {
+        std::vector<std::string> more = words(path("none.csv"));
+        more.insert(more.end(), {ofMotion, "3"});
+        expectOneLine(runMrose(more), {ofMotion, "--queries"}, 2);
+    }
     const ProgramResult done = runMrose(words(queriesOf(log)));
     ASSERT_EQ(done.status, 0) << done.err;
     EXPECT_THAT(done.out, testing::HasSubstr(" readings predicted, 1 sample of each\n"));

@@ -252,6 +252,11 @@ TEST(TrainNetwork, TooShortLogsAreAnError) {
     const auto summary = trainNetwork(p.blueprint, few, quick(LearningLoss::rollout));
     ASSERT_FALSE(summary);
     EXPECT_THAT(summary.error().message(), testing::HasSubstr("too short"));
+    EXPECT_THAT(summary.error().message(), testing::EndsWith("or more of them, or fewer parts (--folds)"));
+    few.folds = leastFolds;
+    for (SampleRun& run : few.runs) run.fold %= leastFolds;
+    EXPECT_THAT(trainNetwork(p.blueprint, few, quick(LearningLoss::rollout)).error().message(),
+                testing::EndsWith("expected longer logs, or more of them"));
 }
 
 TEST(MotionSamples, TrackerOffsetIsFoundAndRemoved) {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/pose.h"
 #include "identification/planted_sensors.h"
 #include "logs/mrclam_reader.h"
 #include "support/test_data.h"
@@ -111,6 +112,27 @@ TEST(SensorInspection, PosesOfAnotherClockDoNotFollowTheMotion) {
     EXPECT_FALSE(slam(log).followed);
 }
 
+TEST(SensorInspection, PosesWithExchangedCoordinatesAreKnownByWhereTheyLie) {
+    const auto slam = [](const Log& log) { return inspected(log).at(slamAt).pose; };
+    for (const double lateness : {0.04, 0.9}) {
+        Log log = plantedSensorLog({.lateness = lateness});
+        EXPECT_FALSE(slam(log).looksExchanged()) << "a frame of its own";
+        std::vector<StampedPose>& poses = log.robots[0].trajectories[0].sensors[1].poses;
+        for (StampedPose& pose : poses) pose.pose = relative(Pose{7, -3, 2}, pose.pose);
+        const PoseMisfit fits = slam(log);
+        EXPECT_FALSE(fits.looksExchanged());
+        EXPECT_EQ(fits.poses, poses.size());
+        EXPECT_NEAR(fits.distance, 0.2 * 0.02 * std::sqrt(2 * std::log(2.0)), 0.001) << "of two normal errors";
+        // the drift of its heading
+        EXPECT_NEAR(fits.heading, 1e-4 * 140, 0.002);
+        for (StampedPose& pose : poses) std::swap(pose.pose.x, pose.pose.y);
+        const PoseMisfit exchanged = slam(log);
+        EXPECT_TRUE(exchanged.looksExchanged());
+        EXPECT_GT(exchanged.distance, 1);
+        EXPECT_EQ(inspected(log).at(slamAt).lateness.reason, "its readings do not fit the ground truth");
+    }
+}
+
 TEST(SensorInspection, CountsWhatWasReportedAndHowOften) {
     Log log = plantedSensorLog({.period = 0.25, .seconds = 100});
     SensorLog& sensor = log.robots[0].trajectories[0].sensors[0];
@@ -187,6 +209,15 @@ TEST(SensorChanges, OfRangesAreSharesOfThem) {
     EXPECT_NEAR(found.changes[0].begin, 120, 0.7);
     EXPECT_NEAR(found.changes[0].end, 150, 0.7);
     EXPECT_NEAR(found.changes[0].offset, 0.2, 0.01);
+}
+
+TEST(SensorChanges, AreNotFoundWhereNothingFits) {
+    Log log = plantedSensorLog({.bearingOffset = stretch(0.05)});
+    int count = 0;
+    for (Look& look : log.robots[0].trajectories[0].sensors[0].looks)
+        for (LogReading& reading : look.readings)
+            if (++count % 3 != 0) reading.range += 2;
+    EXPECT_THAT(inspected(log).at(cameraAt).changes, IsEmpty());
 }
 
 TEST(SensorChanges, AreNotFoundWhereAllIsAsEver) {

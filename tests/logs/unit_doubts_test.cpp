@@ -56,6 +56,23 @@ TEST(UnitDoubts, PositionsInMillimetres) {
                 ElementsAre(HasSubstr("in metres")));
 }
 
+TEST(UnitDoubts, PositionsOfTheBallInMillimetres) {
+    // Kicked every 10 s, it slows down and lies; its positions have noise of 1 mm.
+    const auto kicked = [](double unit) {
+        Log log = circle([](StampedPose&) {});
+        for (int i = 0; i < 3000; ++i) {
+            const double time = std::fmod(0.02 * i, 10.0), rolls = std::min(time, 3.0);
+            const double noise = i % 2 == 0 ? 0.001 : -0.001;
+            log.robots[0].trajectories[0].ball.push_back(
+                {i * 20 * ms, unit * Point{1.5 * rolls - 0.25 * rolls * rolls + noise, 0.3}});
+        }
+        return log;
+    };
+    EXPECT_THAT(unitDoubts(kicked(1)), IsEmpty());
+    EXPECT_THAT(unitDoubts(kicked(1000)), ElementsAre(HasSubstr("The ball would often move at more than 50 m/s")));
+    EXPECT_THAT(withUnitDoubts("fails", kicked(1000)), testing::StartsWith("fails. The ball would"));
+}
+
 TEST(UnitDoubts, RangesInMillimetresAndReportedHeadingsInDegrees) {
     const auto reporting = [](double range, double turn) {
         Log log = circle([](StampedPose&) {});

@@ -111,6 +111,20 @@ TEST(ScenarioErrors, BallMustBeACircleAboutItsReferencePoint) {
     EXPECT_EQ(refusal("ball.toml", "[[part]]", "[[part]]\ncircle = { radius_m = 0.05 }\n[[part]]"), expected);
 }
 
+TEST(ScenarioErrors, FilesOfAnotherKindAreSaidWithWhoNamesThem) {
+    EXPECT_EQ(refusal("ball.toml", "format = \"mrose shape\"", "# Identified of a log."),
+              "ball.toml:1:1: format: is missing; s.toml names this file as its shape");
+    EXPECT_EQ(refusal("s.toml", "environment = \"e.toml\"", "environment = \"r.toml\""),
+              "r.toml:1:10: format: is \"mrose robot\"; expected one of \"mrose environment\"; s.toml names this file "
+              "as its environment");
+    EXPECT_EQ(refusal("s.toml", "\"r.toml\"", "\"e.toml\""),
+              "e.toml:1:10: format: is \"mrose environment\"; expected one of \"mrose robot\"; s.toml names this file "
+              "as its type");
+    EXPECT_EQ(refusal("r.toml", "shape = \"disc.toml\"", "shape = \"e.toml\""),
+              "e.toml:1:10: format: is \"mrose environment\"; expected one of \"mrose shape\"; r.toml names this file "
+              "as its shape");
+}
+
 TEST(ScenarioErrors, ControllersAreReadCompletely) {
     const auto withController = [](const std::string& text) {
         return refusal("s.toml", "{ kind = \"wander\", speed_mps = 0.2, rotation_degps = 45, change_every_s = 1 }",

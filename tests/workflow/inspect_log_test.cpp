@@ -44,6 +44,19 @@ TEST_F(InspectLog, CountsWhatWasMended) {
     EXPECT_GT(found->robots[0].defects.duplicates, 0);
 }
 
+TEST_F(InspectLog, SaysWhatLooksLikeOtherUnits) {
+    std::string rows = "t,v_cmd,w_cmd,x,y,heading\n";
+    for (int i = 0; i < 100; ++i)
+        rows +=
+            std::to_string(0.05 * i) + ",0.2,0.1," + std::to_string(10 * i) + ",0," + std::to_string(0.005 * i) + '\n';
+    const auto found = inspectLog({write("millimetres.csv", rows)});
+    ASSERT_TRUE(found) << found.error().message();
+    ASSERT_EQ(found->unitDoubts.size(), 1u);
+    const ProgramResult shown = runMrose({"inspect", path("millimetres.csv")});
+    EXPECT_NE(shown.out.find("\nNote: " + found->unitDoubts[0]), std::string::npos) << shown.out;
+    EXPECT_TRUE(inspectLog({log()})->unitDoubts.empty());
+}
+
 TEST_F(InspectLog, IsEndedByItsProgress) {
     int asked = 0;
     expectError(inspectLog({log()}, [&](double) { return ++asked > 1; }), log(), {"cancelled"});

@@ -43,6 +43,21 @@ TEST_F(Judging, NetworkIsJudgedBesideOthersAndKinematics) {
     expectError(evaluateNetwork(request), "", {"--show: there is no window 999 of "});
 }
 
+TEST_F(Judging, WhatWasLearnedFromTheLogIsSaidOfEachNetwork) {
+    const std::string shipped = (sourceFolder() / "nets/pioneer.net").string(), own = network();
+    const auto said = [&](const std::string& judged, const std::string& beside) {
+        EvaluateRequest request{judged, log()};
+        request.against = {beside};
+        request.withFloor = false;
+        request.samples = 19;
+        const auto evaluated = evaluateNetwork(request);
+        EXPECT_TRUE(evaluated) << evaluated.error().message();
+        return evaluated->context.notices;
+    };
+    EXPECT_TRUE(isSaid(said(shipped, own), "a.net was learned from this log: on another one its errors are larger."));
+    EXPECT_FALSE(isSaid(said(own, shipped), "pioneer.net was learned from this log"));
+}
+
 TEST_F(Judging, EvaluationIsEndedByItsProgress) {
     double most = 0;
     const auto judged = evaluateNetwork({network(), log()}, [&](double share) {

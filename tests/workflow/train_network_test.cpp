@@ -22,6 +22,26 @@ TEST_F(TrainWorkflow, NetworkIsGivenAndWritten) {
     EXPECT_TRUE(*written == trained->network);
 }
 
+TEST_F(TrainWorkflow, SaysWhetherTheNoiseIsOfRobotsThatTheNetworkKnows) {
+    const auto alone = trainNetwork(training(log(), ""));
+    ASSERT_TRUE(alone) << alone.error().message();
+    ASSERT_TRUE(alone->network.noise) << alone->withoutNoise;
+    EXPECT_TRUE(alone->noiseOfKnownRobots);
+    TrainRequest three = training(log(), "");
+    for (const char* const robot : {"second", "third"}) {
+        std::string text = read("log.csv");
+        for (std::size_t at = 0; (at = text.find("planted", at)) != std::string::npos;) text.replace(at, 7, robot);
+        three.logs.sources.push_back(write(robot + std::string(".csv"), text));
+    }
+    const auto team = trainNetwork(three);
+    ASSERT_TRUE(team) << team.error().message();
+    ASSERT_TRUE(team->network.noise) << team->withoutNoise;
+    EXPECT_FALSE(team->noiseOfKnownRobots);
+    const ProgramResult shown = runMrose(trainWords(path("x.net")));
+    EXPECT_NE(shown.out.find("Note: the logs have fewer than three robots: the noise is "), std::string::npos)
+        << shown.out;
+}
+
 TEST_F(TrainWorkflow, WithoutAnOutputNothingIsWritten) {
     const std::string from = log();
     const auto before = listing();

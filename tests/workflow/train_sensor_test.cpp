@@ -238,9 +238,24 @@ TEST_F(TrainSensor, RefusesWithOneLine) {
             for (Look& look : sensor.looks) look.time += fromSeconds(20);
     for (StampedPose& pose : shifted.robots[0].trajectories[0].sensors[1].poses) pose.time += fromSeconds(20);
     expectError(trainSensor(request(write("shifted.csv", shifted), "camera")), path("shifted.csv"),
-                {"\"camera\" do not fit the ground truth", "another clock"});
+                {"\"camera\" of robot a do not fit the ground truth", "another clock"});
     expectError(trainSensor(request(path("shifted.csv"), "slam")), path("shifted.csv"),
-                {"\"slam\" do not fit the ground truth", "how the robot truly moved", "another clock"});
+                {"\"slam\" of robot a do not fit the ground truth", "how the robot truly moved", "another clock"});
+    // among good ones, too
+    Log team = plantedSensorLog({});
+    team.robots.push_back({"b", shifted.robots[0].trajectories, {}});
+    for (const char* const sensor : {"camera", "slam"}) {
+        TrainSensorRequest some = request(log, sensor);
+        some.logs.push_back(write("longer.csv", plantedSensorLog({.seconds = 500, .seed = 2})));
+        some.logs.push_back(path("shifted.csv"));
+        expectError(trainSensor(some), path("shifted.csv"), {std::string(sensor) + "\" of robot a do not fit"});
+        expectError(trainSensor(request(write("team.csv", team), sensor)), path("team.csv"),
+                    {"\" of robot b do not fit"});
+    }
+    Log inDegrees = plantedSensorLog({});
+    for (StampedPose& pose : inDegrees.robots[0].trajectories[0].poses) pose.pose.heading *= 57.3;
+    expectError(trainSensor(request(write("degrees.csv", inDegrees), "camera")), path("degrees.csv"),
+                {"\"camera\" of robot a do not fit", "headings are expected in radians, not in degrees"});
     Log placeless = plantedSensorLog({});
     for (LogSubject& subject : placeless.subjects) subject.position.reset();
     expectError(trainSensor(request(write("unknown.csv", placeless), "camera")), path("unknown.csv"),
