@@ -77,8 +77,13 @@ TrackerHistory::TrackerHistory(const Trajectory& trajectory, const MotionModel& 
         const double sideways = sidewaysOfWay(start, std::span(grid.poses).subspan(begin + 1, gridSteps)) -
                                 sidewaysOfWay(start, expected[step]);
         evidence.fade(kept);
-        for (; turned != steps_.end() && turned->known <= end + untilKnown; ++turned) evidence.fade(keptByAStep);
+        const auto fadeUpTo = [&](Nanoseconds time) {
+            for (; turned != steps_.end() && turned->known <= end + untilKnown && turned->time <= time; ++turned)
+                evidence.fade(keptByAStep);
+        };
+        fadeUpTo(end - stepLength / 2);
         if (sound) evidence.add(rotation, forward, sideways);
+        fadeUpTo(end + untilKnown);
         evidence_.push_back(evidence);
     }
 }

@@ -13,8 +13,10 @@ namespace {
 
 constexpr Nanoseconds commandedBefore = 2 * nanosecondsPerSecond;
 constexpr double timesCommanded = 2, leastDistance = 0.1, leastTurn = 0.3;  // m, rad
-constexpr std::size_t aside = 5;                                            // poses on either side
-constexpr double leastStep = 0.012;                                         // rad
+// Of headings that turn at once.
+constexpr std::size_t aside = 5;                                 // poses on either side
+constexpr double leastStep = 0.012, usualAtFirst = 0.001;        // rad
+constexpr double timesUsual = 10, mostUsual = 3, usualOf = 200;  // poses
 
 /// The largest speeds commanded between two instants, with the command in force at the first one.
 Command fastestCommanded(const std::vector<StampedCommand>& commands, Nanoseconds from, Nanoseconds to) {
@@ -56,8 +58,11 @@ std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from
 }
 
 std::vector<HeadingStep> headingSteps(const Trajectory& trajectory) {
-    const std::vector<StampedPose>& poses = trajectory.poses;
+    std::vector<StampedPose> poses;
+    for (const StampedPose& stamped : trajectory.poses)
+        if (poses.empty() || !(stamped.pose == poses.back().pose)) poses.push_back(stamped);
     std::vector<HeadingStep> steps;
+    double usual = usualAtFirst;
     for (std::size_t i = aside; i + aside + 1 < poses.size(); ++i) {
         const Nanoseconds known = poses[i + 1 + aside].time;
         if (known - poses[i - aside].time > nanosecondsPerSecond / 2) continue;
@@ -68,7 +73,9 @@ std::vector<HeadingStep> headingSteps(const Trajectory& trajectory) {
         }
         const double turn = turns[aside];
         std::nth_element(turns.begin(), turns.begin() + aside, turns.end());
-        if (std::abs(turn - turns[aside]) > leastStep) steps.push_back({poses[i + 1].time, known});
+        const double more = std::abs(turn - turns[aside]);
+        if (more > std::max(leastStep, timesUsual * usual)) steps.push_back({poses[i + 1].time, known});
+        usual += (std::min(more, mostUsual * usual) - usual) / usualOf;
     }
     return steps;
 }

@@ -21,9 +21,10 @@ constexpr Nanoseconds truthSmoothed = 100'000'000;
 /// next one move in stairs.) None where its commands are not known.
 std::vector<TruthJump> truthJumps(const Trajectory& trajectory, Nanoseconds from, Nanoseconds to);
 
-/// The tracked heading turns all at once: from one pose to the next by 12 mrad more than between most of the five poses
-/// before and the five after, which lie within half a second. Trackers do that where they take other markers for the
-/// robot's, and robots hardly do; where it lies on the robot may be another one from there on.
+/// The tracked heading turns all at once: from one pose to the next that differs otherwise than between most of the
+/// five before and the five after, which lie within half a second; by 12 mrad and more, and by ten times what is usual.
+/// (Of white noise alone so much is one in 10^12 poses.) Trackers do that where they take other markers for the
+/// robot's, and robots hardly do; how the tracked point lies on the robot may change there.
 struct HeadingStep {
     Nanoseconds time = 0;   ///< of the pose after it
     Nanoseconds known = 0;  ///< of the pose by which it is known

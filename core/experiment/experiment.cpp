@@ -59,8 +59,9 @@ private:
     }
 
     void runTrial(Workplace& place, std::uint32_t number) {
-        auto trial = place.maker.make(number);
-        if (!trial) return keepFaults(number, trial.error());
+        auto trial = place.maker.makeOrFault(number);
+        if (!trial) return fail(trial.error());
+        if (trial->fault) return keepFaults(number, *trial->fault);
         std::optional<BranchPoint> point;
         if (trial->before) {
             if (options_.loaded) options_.loaded(trial->before->parts);
@@ -136,6 +137,10 @@ private:
         return {options_.command + flags, options_.window + flags};
     }
 
+    void fail(const Error& error) {
+        const std::lock_guard lock(mutex_);
+        failNow(error);
+    }
     void failNow(const Error& error) {
         if (!error_) error_ = error;
         stop_ = true;

@@ -20,6 +20,7 @@ namespace mrose {
 struct RowOutcome {
     bool faulty = false;           ///< it ended by a fault
     std::vector<double> measures;  ///< to the last bit; NaN where it is not known
+    std::string fault = {};        ///< which one
 };
 
 struct ExperimentOptions {

@@ -50,6 +50,14 @@ TrialMaker::TrialMaker(const Experiment& experiment, TrialExpressions& expressio
     loading_.checkStarts = false;
 }
 
+Expected<void> TrialMaker::loadBase() {
+    if (base_) return {};
+    auto loaded = loadScenario(experiment_.scenario, library_, loading_);
+    if (!loaded) return tl::unexpected(loaded.error());
+    base_.emplace(std::move(loaded->parts));
+    return {};
+}
+
 Expected<Value> TrialMaker::valueOf(const Draw& draw, std::uint32_t index, std::uint32_t number, int attempt,
                                     const DrawnValues& drawn) {
     NoiseKey key{experiment_.seed ^ drawSeed, attempt, number, channelOf(NoiseChannel::trial, index)};
@@ -69,11 +77,7 @@ Expected<Value> TrialMaker::valueOf(const Draw& draw, std::uint32_t index, std::
         case Draw::Kind::computed:
             break;
     }
-    if (!base_) {
-        auto loaded = loadScenario(experiment_.scenario, library_, loading_);
-        if (!loaded) return tl::unexpected(loaded.error());
-        base_.emplace(std::move(loaded->parts));
-    }
+    if (const auto loaded = loadBase(); !loaded) return tl::unexpected(loaded.error());
     const WorldState start = base_->initialState();
     const Moment moment{.scenario = &*base_, .state = &start, .drawn = &drawn};
     std::optional<WorldValue>& computed = computed_[index];
@@ -135,28 +139,49 @@ Expected<bool> TrialMaker::isWanted(const LoadedScenario& loaded, const DrawnVal
 }
 
 Expected<Trial> TrialMaker::make(std::uint32_t number) {
+    auto trial = makeOrFault(number);
+    if (trial && trial->fault) return tl::unexpected(std::move(*trial->fault));
+    return trial;
+}
+
+Expected<Trial> TrialMaker::makeOrFault(std::uint32_t number) {
+    const auto faulty = [](Error error) {
+        Trial trial;
+        trial.fault = std::move(error);
+        return trial;
+    };
+    if (std::ranges::count(experiment_.draws, Draw::Kind::computed, &Draw::kind) > 0)
+        if (const auto loaded = loadBase(); !loaded) return tl::unexpected(loaded.error());
     for (int attempt = 0; attempt < mostDraws; ++attempt) {
         auto drawn = draw(number, attempt);
-        if (!drawn) return tl::unexpected(drawn.error());
+        if (!drawn) return faulty(drawn.error());
         const auto value = drawnScenario(number, *drawn);
         if (!value) return tl::unexpected(value.error());
         Trial trial{std::move(*drawn), {}};
+        const auto unmade = [&](const Error& error, const ScenarioValue& scenario,
+                                const Variant* variant) -> Expected<Trial> {
+            Error of = told(error, trial.drawn, variant, who(number));
+            if (isOfTheTrial(error, scenario, variant)) return faulty(std::move(of));
+            return tl::unexpected(std::move(of));
+        };
         bool wanted = true;
         if (!experiment_.branch.empty()) {
-            auto loaded = scenarioOf(withoutBodies(*value, trial.drawn));
-            if (!loaded) return tl::unexpected(told(loaded.error(), trial.drawn, nullptr, who(number)));
+            const ScenarioValue before = withoutBodies(*value, trial.drawn);
+            auto loaded = scenarioOf(before);
+            if (!loaded) return unmade(loaded.error(), before, nullptr);
             if (!*loaded) continue;
             trial.before = std::move(**loaded);
         }
         for (const Variant& variant : experiment_.variants) {
             const auto varied = with(*value, variant);
             if (!varied) return tl::unexpected(varied.error());
-            auto loaded = scenarioOf(withoutBodies(*varied, trial.drawn));
-            if (!loaded) return tl::unexpected(told(loaded.error(), trial.drawn, &variant, who(number)));
+            const ScenarioValue own = withoutBodies(*varied, trial.drawn);
+            auto loaded = scenarioOf(own);
+            if (!loaded) return unmade(loaded.error(), own, &variant);
             if (!*loaded) wanted = false;
             if (wanted && &variant == experiment_.variants.data()) {
                 const auto asked = isWanted(**loaded, trial.drawn);
-                if (!asked) return tl::unexpected(asked.error());
+                if (!asked) return faulty(asked.error());
                 wanted = *asked;
             }
             if (!wanted) break;
@@ -166,7 +191,19 @@ Expected<Trial> TrialMaker::make(std::uint32_t number) {
     }
     const std::string cause = "in a hundred draws of trial " + std::to_string(number) +
                               " bodies overlapped, or what is required did not hold; expected ranges with room";
-    return tl::unexpected(experiment_.require.placed(cause, experiment_.file));
+    return faulty(experiment_.require.placed(cause, experiment_.file));
+}
+
+/// Whether it is made by what is drawn: without that there is no such error, and with it there is again. What a missing
+/// file or a program that cannot be started says, other trials would say as well.
+bool TrialMaker::isOfTheTrial(const Error& error, const ScenarioValue& value, const Variant* variant) {
+    const auto loads = [&](const Expected<ScenarioValue>& scenario) {
+        return scenario && loadScenario(*scenario, library_, loading_);
+    };
+    if (!loads(experiment_.scenario)) return false;
+    if (variant != nullptr && !loads(with(experiment_.scenario, *variant))) return false;
+    const auto again = loadScenario(value, library_, loading_);
+    return !again && again.error().message() == error.message();
 }
 
 /// What is wrong with a trial's scenario, of the scenario's own file where it is wrong as it is written, else of the

@@ -18,6 +18,7 @@ struct Trial {
     DrawnValues drawn;
     std::vector<LoadedScenario> scenarios;
     std::optional<LoadedScenario> before = {};  ///< as it goes until it branches, where it does
+    std::optional<Error> fault = {};            ///< why what is drawn for it makes none of them
 };
 
 /// Makes the trials of an experiment, each the same whoever makes it and in whatever order. For one thread: it keeps
@@ -29,8 +30,11 @@ public:
 
     /// `number` counts from 1. Where bodies would overlap in a variant, or what the experiment requires does not hold
     /// in the first, it is drawn anew. Error: a hundred draws were such; what is wrong in the scenario that a draw
-    /// makes, or in an expression.
+    /// makes, or in an expression; a file.
     Expected<Trial> make(std::uint32_t number);
+    /// The same, but for what is wrong in this trial alone: that is its fault. Error: what other trials would meet,
+    /// too.
+    Expected<Trial> makeOrFault(std::uint32_t number);
 
     /// That the ends and choices of each draw make a scenario, and expressions fit the trials whatever bodies are
     /// there, as far as the start tells. Error: file, line and column of the first thing wrong.
@@ -40,6 +44,8 @@ public:
     Expected<void> checkExpressions(std::uint32_t number, const DrawnValues& drawn);
 
 private:
+    Expected<void> loadBase();
+    bool isOfTheTrial(const Error& error, const ScenarioValue& value, const Variant* variant);
     Error told(Error error, const DrawnValues& drawn, const Variant* variant, const std::string& where);
     Expected<DrawnValues> drawnWith(DrawnValues drawn, std::size_t i, const Value& value);
     Expected<void> checkEnds(const DrawnValues& first);

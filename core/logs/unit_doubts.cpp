@@ -89,7 +89,9 @@ std::string shortText(double value) {
 }  // namespace
 
 std::string withUnitDoubts(std::string cause, const Log& log) {
-    for (const std::string& doubt : unitDoubts(log)) cause += (cause.ends_with('?') ? " " : ". ") + doubt;
+    for (const std::string& doubt : unitDoubts(log))
+        if (cause.find(doubt) == std::string::npos)
+            cause += (cause.ends_with('?') || cause.ends_with('.') ? " " : ". ") + doubt;
     return cause;
 }
 

@@ -185,6 +185,7 @@ private:
                     tuning_.file, static_cast<int>(tuning_.costLine), static_cast<int>(tuning_.costColumn), "cost",
                     std::string(outcome.faulty ? "a fault ended" : "is no number in") + " trial " +
                         std::to_string(trial) + " of candidate " + std::to_string(number_) +
+                        (outcome.faulty ? " (" + outcome.fault + ')' : "") +
                         "; expected `failure_cost`, what such a run costs"});
             sum += failed ? *tuning_.failureCost : cost;
         }

@@ -95,6 +95,9 @@ TEST(TrackerHistory, ReadsNoTruthAfterTheInstant) {
             EXPECT_EQ(TrackerHistory(jumping, obedient).at(time).offset(), offset) << time;
             EXPECT_EQ(TrackerHistory(ending, obedient).at(time).offset(), offset) << time;
             EXPECT_NE(TrackerHistory(garbled, obedient).at(time + 2 * second).offset(), offset);
+            const TrackerOffset doubted{0, 0.5};  // and so does how much it counts
+            EXPECT_EQ(TrackerHistory(garbled, obedient).at(time).offset(doubted),
+                      TrackerHistory(trajectory, obedient).at(time).offset(doubted));
         }
     }
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "behaviour/command_player.h"
 #include "experiment/experiment_fixture.h"
 #include "experiment/trial.h"
 #include "io/format.h"
@@ -117,6 +118,34 @@ TEST_F(ExperimentTest, ATrialThatCannotBeMadeIsARowThatSaysWhy) {
     EXPECT_LT(faulty, 40);
     EXPECT_EQ(summary->variants[0].faulty, faulty);
     EXPECT_THAT(summary->variants[0].firstFault, testing::StartsWith("trial "));
+}
+
+/// As where a plug-in is built anew meanwhile: it goes on once it is there again.
+TEST_F(ExperimentTest, WhatIsNoFaultOfATrialEndsTheExperiment) {
+    const std::string script = "{ kind = \"velocity_script\", commands = [{ t_s = 0, v_mps = 0.4 }] }";
+    scenario_.replace(scenario_.find(script), script.size(), "{ kind = \"plugin\", library = \"p.so\" }");
+    std::atomic<bool> missing = false;
+    options_.progress = [&](std::int64_t done, std::int64_t) { missing = done >= 10; };
+    options_.loading.plugins = [&](const std::string&,
+                                   const std::string&) -> Expected<std::shared_ptr<const Controller>> {
+        if (missing) return fail("p.so", "there is no such file");
+        return std::make_shared<const CommandPlayer>(std::vector<StampedCommand>{{0, {0.4, 0}}});
+    };
+    const Experiment lane = experiment(
+        "trials = 40\n[[draw]]\nname = \"x\"\npath = \"robot[1].start.x_m\"\nfrom = -1.0\nto = 1.0\n"
+        "[measures]\nway = 'robot[1].x'\n");
+    const auto ended = run(lane);
+    ASSERT_FALSE(ended);
+    EXPECT_THAT(ended.error().message(), HasSubstr("there is no such file"));
+    options_.progress = {};
+    missing = false;
+    const auto summary = run(lane);
+    ASSERT_TRUE(summary) << summary.error().message();
+    EXPECT_TRUE(summary->complete);
+    EXPECT_GE(summary->resumed, 10);
+    EXPECT_LT(summary->resumed, 40);
+    EXPECT_EQ(summary->variants[0].faulty, 0);
+    EXPECT_EQ(rows().size(), 40u);
 }
 
 /// As far as the first trial's start tells: what any trial would have.

@@ -71,6 +71,9 @@ TEST(UnitDoubts, PositionsOfTheBallInMillimetres) {
     EXPECT_THAT(unitDoubts(kicked(1)), IsEmpty());
     EXPECT_THAT(unitDoubts(kicked(1000)), ElementsAre(HasSubstr("The ball would often move at more than 50 m/s")));
     EXPECT_THAT(withUnitDoubts("fails", kicked(1000)), testing::StartsWith("fails. The ball would"));
+    const std::string once = withUnitDoubts("fails.", kicked(1000));
+    EXPECT_THAT(once, testing::StartsWith("fails. The ball would"));
+    EXPECT_EQ(withUnitDoubts(once, kicked(1000)), once) << "of another log";
 }
 
 TEST(UnitDoubts, RangesInMillimetresAndReportedHeadingsInDegrees) {
