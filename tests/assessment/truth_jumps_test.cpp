@@ -41,7 +41,7 @@ TEST(HeadingSteps, AreThoseOfTheTrackerWhateverTheRobotTurns) {
 TEST(HeadingSteps, AreNoNoiseOfTheTracker) {
     for (const double noise : {0.005, 0.02}) {
         const auto steps = headingSteps(turnedBy(20 * noise, 50, noise));
-        const auto late = std::ranges::count_if(steps, [](const HeadingStep& step) { return step.time > 5 * second; });
+        const auto late = std::ranges::count_if(steps, [](const HeadingStep& step) { return step.time > 8 * second; });
         EXPECT_EQ(late, 1) << "once it is known how much there is";
     }
 }
