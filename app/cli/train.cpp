@@ -248,7 +248,8 @@ void printSummary(const TrainedNetwork& trained, const std::string& file, double
     std::printf("%s%s: %d inputs, %d hidden units; learned from %lld patterns in %s (%lld epochs%s)\n", file.c_str(),
                 trained.cancelled ? " (interrupted: the best network so far)" : "", n.mlp.shape.inputs,
                 n.mlp.shape.hidden, static_cast<long long>(n.training.patterns), durationText(seconds).c_str(),
-                static_cast<long long>(n.training.epochs), n.members.size() > 1 ? " of all its networks" : "");
+                static_cast<long long>(n.training.epochs),
+                n.members.size() > 1 ? " of all its networks but the noise's" : "");
     std::printf(
         "held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the "
         "rotation\n",

@@ -14,7 +14,8 @@ namespace mrose {
 
 /// What the ground truth of a trajectory says of where the tracked point lies on the robot, beyond what a model of it
 /// knows, as time goes on: how far the point moved sideways in steps of 0.5 s, less what the model expects of each.
-/// What is a minute old counts 1/e as much. (README.md says how these were chosen.) A step in which the truth jumps or
+/// What is a minute old counts 1/e as much, and what was seen before a HeadingStep 0.3. (README.md says how these were
+/// chosen.) A step in which the truth jumps or
 /// is not known says nothing. Nothing does where 0.1 s is no whole number of the model's periods.
 class TrackerHistory {
 public:

@@ -116,7 +116,7 @@ RowOutcome rowOutcome(const Experiment& experiment, const std::string& row) {
         if (i < cells.size()) std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
         outcome.measures.push_back(value);
     }
-    const std::size_t fault = first + experiment.measures.size() + 3;  // after the hash and two commands
+    const std::size_t fault = first + experiment.measures.size() + faultBehind;
     if (fault < cells.size()) outcome.fault = cells[fault];
     return outcome;
 }

@@ -131,6 +131,12 @@ std::string experimentReport(const Experiment& experiment, const ExperimentSumma
             " to ", std::to_string(experiment.firstTrial + experiment.trials - 1), ", ",
             counted(experiment.seeds, "run"), " each", context.program.empty() ? "" : " · ", escaped(context.program)));
     for (const std::string& notice : context.notices) body += element("p", "notice", escaped(notice));
+    for (const VariantSummary& variant : summary.variants)
+        if (variant.faulty > 0)
+            body += element(
+                "p", "notice",
+                escaped(cat(variant.name, variant.name.empty() ? "" : ": ", std::to_string(variant.faulty), " of ",
+                            counted(variant.runs, "run"), " ended by a fault, the first in ", variant.firstFault)));
     if (summary.variants.size() > 1) {
         body += heading("What it comes to");
         for (const Column& column : columns) body += card(escaped(column.label), figuresOf(summary, column));

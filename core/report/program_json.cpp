@@ -248,6 +248,7 @@ std::string experimentJson(const ExperimentSummary& summary, const std::string& 
                     {"runs", variant.runs},
                     {"ended_by_condition", variant.ended},
                     {"ended_by_fault", variant.faulty}};
+        if (variant.faulty > 0) one["first_fault"] = variant.firstFault;
         if (variant.sweep)
             one["sweep"] = {{"name", variant.sweep->name}, {"unit", variant.sweep->unit}, {"value", variant.sweep->at}};
         for (const MeasureSummary& measure : variant.measures) {

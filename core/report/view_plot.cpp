@@ -13,7 +13,7 @@ constexpr double margin = 1.12;  // for the labels at the outer arc
 /// How far a side reaches from the middle, at least so much of the range.
 double sideWidth(double range, double bearing) {
     constexpr double least = 0.2;
-    return margin * range * (bearing < 1.57 ? std::max(least, sine(bearing)) : 1);
+    return range * (margin - 1 + (bearing < 1.57 ? std::max(least, sine(bearing)) : 1));
 }
 
 SvgPlot plotFor(double range, PlotRange bearings, std::string_view description) {

@@ -109,11 +109,11 @@ Expected<void> checkOverrides(const Experiment& experiment, const std::vector<st
         if (!given) return tl::unexpected(given.error());
         const std::vector<std::string> places = experiment.scenario.places(given->path);
         if (places.empty()) continue;
-        const std::string useless = "does nothing in this experiment: ", key = "--set " + given->path;
+        const std::string useless = "has no effect: ", key = "--set " + given->path;
         if (given->path == "seed") return fail("", useless + "each run has a seed of its own", 0, key);
         for (const Draw& draw : experiment.draws)
             if (isWithin(places, placesOf(draw.paths, std::identity())))
-                return fail("", useless + "it is drawn by \"" + draw.name + "\" for each trial", 0, key);
+                return fail("", useless + "draw \"" + draw.name + "\" sets it in each trial", 0, key);
         if (std::ranges::all_of(experiment.variants, [&](const Variant& variant) {
                 return isWithin(places, placesOf(variant.set, [](const auto& set) { return set.first; }));
             }))

@@ -58,9 +58,9 @@ TEST(TrackerHistory, CountsWhatWasSeenBeforeForLessWhereTheHeadingTurnsAtOnce) {
         return (after.rotated - point.at(time).offset().rotated) / (after.rotated - before.rotated);
     };
     // Of what is remembered after T s exp(-T/60) is of before; where that counts 0.3, so much of the rest.
-    const double old = std::exp(-1), new_ = 1 - old;
+    const double old = std::exp(-1), recent = 1 - old;
     EXPECT_NEAR(share(slowly, 160 * second), old, 0.05) << "what is a minute old counts 1/e";
-    EXPECT_NEAR(share(atOnce, 160 * second), 0.3 * old / (0.3 * old + new_), 0.05);
+    EXPECT_NEAR(share(atOnce, 160 * second), 0.3 * old / (0.3 * old + recent), 0.05);
     EXPECT_NEAR(share(atOnce, 99 * second), 1, 0.03);
 }
 

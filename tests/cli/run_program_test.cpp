@@ -117,7 +117,7 @@ TEST_F(RunProgram, WhatAnExperimentSetsItselfIsNotOverridden) {
         return runMrose({"run", path("x.toml"), "--quiet", "--set", assignment});
     };
     expectOneLine(set("robot[2].start.x_m=1"),
-                  {"--set robot[2].start.x_m: does nothing in this experiment: it is drawn by \"x\" for each trial"});
+                  {"--set robot[2].start.x_m: has no effect: draw \"x\" sets it in each trial"});
     expectOneLine(set("robot[\"two\"].start.heading_deg=1"), {"each variant sets it"});
     expectOneLine(set("seed=1"), {"each run has a seed of its own"});
     EXPECT_EQ(set("robot[1].start.heading_deg=1").status, 0) << "the other variant has it";

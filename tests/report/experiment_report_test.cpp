@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "report/measure_label.h"
+#include "report/program_json.h"
 #include "report/sweep_figure.h"
 #include "support/markup.h"
 
@@ -55,7 +57,8 @@ TEST(ExperimentReport, VariantsStandBesideEachOtherInTableAndPictures) {
         EXPECT_THAT(html, Not(HasSubstr(raw)));
     for (const char* const text :
          {"&lt;ways&gt;", "a&amp;b.toml", "trials 11 to 30", "2 runs", "time &lt;s&gt;", "slow &amp; &lt;sure&gt;",
-          "23.46 <small>22.46 to 25.46</small>", "25.00 <small>15.00 to 35.00</small>", "done (%)"})
+          "23.46 <small>22.46 to 25.46</small>", "25.00 <small>15.00 to 35.00</small>", "done (%)",
+          "fast: 1 of 40 runs ended by a fault, the first in trial 7: a: failed"})
         EXPECT_THAT(html, HasSubstr(text));
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 2u) << "one for each measure, none for what was asked";
 }
@@ -69,6 +72,7 @@ TEST(ExperimentReport, WhatWasSweptIsDrawnAsCurves) {
         summary.variants.push_back(variant("error " + std::to_string(at), 10, 0.5));
         summary.variants.back().sweep = {"error", "cm", at};
     }
+    for (VariantSummary& one : summary.variants) one.faulty = 0;
     const std::string html = experimentReport(named(), summary, {});
     EXPECT_EQ(markupError(html), "");
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 6u)
@@ -119,6 +123,10 @@ TEST(ExperimentReport, WithoutVariantsItSaysHowMeasuresSpread) {
     const std::string html = experimentReport(named(), summary, {});
     EXPECT_EQ(markupError(html), "");
     EXPECT_THAT(html, HasSubstr("11.50 to 14.50"));
+    EXPECT_THAT(html, HasSubstr(">1 of 40 runs ended by a fault, the first in trial 7: a: failed"));
+    const auto json = nlohmann::json::parse(experimentJson(summary, "out"));
+    ASSERT_EQ(json["variants"].size(), 1u);
+    EXPECT_EQ(json["variants"][0]["first_fault"], "trial 7: a: failed");
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 0u);
 }
 
