@@ -57,8 +57,10 @@ std::vector<std::span<const std::size_t>> tenthsOf(const TaskData& data, std::si
     for (std::size_t tenth = 1; tenth <= tenths; ++tenth) {
         std::size_t to = order.size() * tenth / tenths;
         if (to < order.size()) {
-            const auto same = std::ranges::equal_range(order, valueOf(order[to]), {}, valueOf);
-            const auto before = static_cast<std::size_t>(same.begin() - order.begin()), behind = before + same.size();
+            const auto first = std::ranges::lower_bound(order, valueOf(order[to]), {}, valueOf);
+            const auto last = std::ranges::upper_bound(order, valueOf(order[to]), {}, valueOf);
+            const auto before = static_cast<std::size_t>(first - order.begin());
+            const auto behind = static_cast<std::size_t>(last - order.begin());
             to = to - before <= behind - to ? before : behind;
         }
         if (to > from) parts.push_back(std::span(order).subspan(from, to - from));
