@@ -38,7 +38,7 @@ void print(const ExperimentSummary& summary, const ExperimentRequest& request, d
         std::fputs(counted(static_cast<std::size_t>(variant.runs), "run").c_str(), stdout);
         if (summary.until) std::printf(", %lld ended by `until`", static_cast<long long>(variant.ended));
         if (variant.faulty > 0)
-            std::printf(", %lld by a fault, the first in %s", static_cast<long long>(variant.faulty),
+            std::printf(", %lld by a fault, the first: %s", static_cast<long long>(variant.faulty),
                         variant.firstFault.c_str());
         std::puts("");
     }

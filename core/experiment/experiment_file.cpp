@@ -43,6 +43,7 @@ public:
         readSets();
         for (TomlTable& table : root_.tablesOrNone("draw"))
             if (!root_.failed()) readDraw(table);
+        if (!root_.failed()) orderDraws();
         for (TomlTable& table : root_.tablesOrNone("variant"))
             if (!root_.failed()) readVariant(table);
         for (TomlTable& table : root_.tablesOrNone("sweep"))
@@ -132,6 +133,30 @@ private:
             if (!isNew) table.reject("path", path + " is that of another draw, too");
         }
         experiment_.draws.push_back(std::move(draw));
+    }
+
+    /// As the keys of a table that sets them.
+    void orderDraws() {
+        const auto placesOf = [&](const std::string& path) { return experiment_.scenario.places(path); };
+        Value::Table drawOf;
+        for (std::size_t i = 0; i < experiment_.draws.size(); ++i)
+            for (const std::string& path : experiment_.draws[i].paths) {
+                const std::vector<std::string> places = placesOf(path);
+                // In one way of writing it, so that a whole comes before its parts.
+                drawOf[places.size() == 1 ? places.front() : path] = static_cast<std::int64_t>(i);
+            }
+        for (const auto& [path, draw] : generalFirst(drawOf))
+            experiment_.drawPlaces.push_back({path, static_cast<std::size_t>(*draw.asInteger())});
+        std::vector<std::string> later;
+        for (auto at = experiment_.drawPlaces.rbegin(); at != experiment_.drawPlaces.rend(); ++at) {
+            const std::vector<std::string> places = placesOf(at->path);
+            const Draw& draw = experiment_.draws[at->draw];
+            if (areWithin(places, later))
+                return root_.adopt({experiment_.file, static_cast<int>(draw.line), static_cast<int>(draw.column),
+                                    "draw[\"" + draw.name + "\"]",
+                                    at->path + " has no effect: other draws set each of its elements"});
+            later.insert(later.end(), places.begin(), places.end());
+        }
     }
 
     void readDistribution(TomlTable& table, Draw& draw) {
@@ -258,8 +283,15 @@ private:
         for (const auto& [path, value] : settings->set) {
             if (auto changed = varied.with(path, value)) varied = std::move(*changed);
             const auto alone = loadScenario(varied, library_, loading_);
-            const Value* const there = alone ? alone->value.at(path) : nullptr;
-            variant.set.emplace_back(path, there != nullptr ? *there : value);
+            if (const Value* const there = alone ? alone->value.at(path) : nullptr) {
+                variant.set.emplace_back(path, *there);
+                continue;
+            }
+            // It fits with those after it alone: as all of them together make it.
+            for (const std::string& place : loaded->value.places(path)) {
+                const Value* const there = loaded->value.at(place);
+                variant.set.emplace_back(place, there != nullptr ? *there : value);
+            }
         }
         experiment_.settings.push_back(file);
     }

@@ -46,6 +46,12 @@ struct Draw {
     std::vector<std::string> bodies;
 };
 
+/// Where a draw is put.
+struct DrawPlace {
+    std::string path;
+    std::size_t draw = 0;  ///< which one
+};
+
 /// A number that a trial gives, by an expression.
 struct Measure {
     enum class Of {
@@ -96,8 +102,9 @@ struct Experiment {
     /// Until it holds, a trial goes as the scenario is written; then each variant goes on from a copy of that state,
     /// where features are asked and measuring begins. Empty: variants differ from the start on.
     FileExpression branch;
-    Nanoseconds branchWithin = 0;  ///< after so long it does not branch any more
-    std::vector<Draw> draws;
+    Nanoseconds branchWithin = 0;       ///< after so long it does not branch any more
+    std::vector<Draw> draws;            ///< in the order in which they are drawn
+    std::vector<DrawPlace> drawPlaces;  ///< in the order in which they are put, those of all elements first
     std::vector<Variant> variants;      ///< at least one; without any in the file one without a name. Sweeps come last
     std::vector<Value::File> settings;  ///< files that variants name
     std::vector<Feature> features;

@@ -6,6 +6,7 @@
 
 #include "experiment/possible_values.h"
 #include "experiment/results_row.h"
+#include "experiment/trial.h"
 #include "io/format.h"
 #include "world/seconds_text.h"
 #include "world/state_hash.h"
@@ -139,8 +140,10 @@ std::vector<VariantSummary> summarised(const Experiment& experiment, const std::
         if (cells.size() <= first + summary.measures.size() + faultBehind) continue;
         ++summary.runs;
         summary.ended += cells[experimentEndCell] == name(RunEnd::condition) ? 1 : 0;
-        if (cells[experimentEndCell] == name(RunEnd::fault) && ++summary.faulty == 1)
-            summary.firstFault = "trial " + cells[0] + ": " + cells[first + summary.measures.size() + faultBehind];
+        if (cells[experimentEndCell] == name(RunEnd::fault) && ++summary.faulty == 1) {
+            const std::string &fault = cells[first + summary.measures.size() + faultBehind], trial = inTrial(cells[0]);
+            summary.firstFault = fault + (fault.ends_with(trial) ? "" : trial);
+        }
         for (std::size_t i = 0; i < summary.measures.size(); ++i) {
             double value = std::nan("");
             const std::string& cell = cells[first + i];

@@ -6,7 +6,7 @@
 
 #include "experiment/experiment.h"
 #include "experiment/trial_expressions.h"
-#include "quantities/drawn_values.h"
+#include "scenario/drawn_values.h"
 
 namespace mrose {
 

@@ -20,7 +20,7 @@ double within(const Draw& draw, double u) {
     return draw.least + std::floor(u * (draw.most - draw.least + 1));
 }
 
-std::string who(std::uint32_t number) { return " (trial " + std::to_string(number) + ')'; }
+std::string who(std::uint32_t number) { return inTrial(std::to_string(number)); }
 
 Expected<ScenarioValue> with(ScenarioValue value, const Draw& draw, const Value& drawn) {
     for (const std::string& path : draw.paths) {
@@ -104,8 +104,8 @@ Expected<DrawnValues> TrialMaker::draw(std::uint32_t number, int attempt) {
 
 Expected<ScenarioValue> TrialMaker::drawnScenario(std::uint32_t number, const DrawnValues& drawn) const {
     auto value = experiment_.scenario.with("seed", static_cast<std::int64_t>(experiment_.noiseSeed(number, 0)));
-    for (std::size_t i = 0; value && i < experiment_.draws.size(); ++i)
-        value = with(std::move(*value), experiment_.draws[i], drawn[i].value);
+    for (const DrawPlace& place : experiment_.drawPlaces)
+        if (value) value = value->with(place.path, drawn[place.draw].value);
     return value;
 }
 
@@ -189,8 +189,9 @@ Expected<Trial> TrialMaker::makeOrFault(std::uint32_t number) {
         }
         if (wanted) return trial;
     }
-    const std::string cause = "in a hundred draws of trial " + std::to_string(number) +
-                              " bodies overlapped, or what is required did not hold; expected ranges with room";
+    const std::string cause =
+        "in a hundred draws bodies overlapped, or what is required did not hold; expected ranges with room" +
+        who(number);
     return faulty(experiment_.require.placed(cause, experiment_.file));
 }
 

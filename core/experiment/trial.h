@@ -8,10 +8,13 @@
 #include "condition/condition.h"
 #include "experiment/experiment_file.h"
 #include "experiment/trial_expressions.h"
-#include "quantities/drawn_values.h"
 #include "scenario/description_library.h"
+#include "scenario/drawn_values.h"
 
 namespace mrose {
+
+/// How what is wrong in a trial ends: " (trial 5)".
+inline std::string inTrial(const std::string& number) { return " (trial " + number + ')'; }
 
 /// One trial of an experiment: what was drawn for it, and the scenario of each variant.
 struct Trial {

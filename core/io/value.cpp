@@ -220,6 +220,15 @@ bool Value::operator==(const Value& other) const {
     return content_ == other.content_;
 }
 
+bool areWithin(const std::vector<std::string>& places, const std::vector<std::string>& others) {
+    return !places.empty() && std::ranges::all_of(places, [&](const std::string& place) {
+        return std::ranges::any_of(others, [&](const std::string& other) {
+            return place.starts_with(other) &&
+                   (place.size() == other.size() || place[other.size()] == '.' || place[other.size()] == '[');
+        });
+    });
+}
+
 std::vector<std::pair<std::string, Value>> generalFirst(const Value::Table& sets) {
     std::vector<std::pair<std::string, Value>> ordered(sets.begin(), sets.end());
     std::ranges::stable_sort(ordered, std::greater(), [](const auto& set) { return starsIn(set.first); });

@@ -87,6 +87,9 @@ struct DescriptionFile {
     Value content;          ///< a table, or the text of what is no description: a network
 };
 
+/// Whether each of some places (Value::places()), or something that it lies in, is among others; false of none.
+bool areWithin(const std::vector<std::string>& places, const std::vector<std::string>& others);
+
 /// What a table sets, in the order in which it is put into a description: paths of all elements, as `robot[*].network`,
 /// before those of one, so that who names a robot has the last word; otherwise by their texts.
 std::vector<std::pair<std::string, Value>> generalFirst(const Value::Table& sets);

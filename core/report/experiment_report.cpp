@@ -136,7 +136,7 @@ std::string experimentReport(const Experiment& experiment, const ExperimentSumma
             body += element(
                 "p", "notice",
                 escaped(cat(variant.name, variant.name.empty() ? "" : ": ", std::to_string(variant.faulty), " of ",
-                            counted(variant.runs, "run"), " ended by a fault, the first in ", variant.firstFault)));
+                            counted(variant.runs, "run"), " ended by a fault, the first: ", variant.firstFault)));
     if (summary.variants.size() > 1) {
         body += heading("What it comes to");
         for (const Column& column : columns) body += card(escaped(column.label), figuresOf(summary, column));

@@ -75,8 +75,10 @@ inline std::string replacedTrials(std::string text, const std::string& trials) {
 class ExperimentTest : public testing::Test {
 protected:
     Expected<Experiment> read(const std::string& text) {
-        source_ = std::make_unique<KeptDescriptions>(std::map<std::string, std::string>{
-            {"s.toml", scenario_}, {"r.toml", robotFile}, {"d.toml", shapeFile}, {"e.toml", placeFile}});
+        std::map<std::string, std::string> texts{
+            {"s.toml", scenario_}, {"r.toml", robotFile}, {"d.toml", shapeFile}, {"e.toml", placeFile}};
+        texts.insert(more_.begin(), more_.end());
+        source_ = std::make_unique<KeptDescriptions>(std::move(texts));
         auto content = parseToml(head + text, "x.toml");
         EXPECT_TRUE(content) << content.error().message();
         if (!content) return tl::unexpected(content.error());
@@ -126,6 +128,7 @@ protected:
     static double number(const std::string& text) { return std::stod(text); }
 
     std::string scenario_ = kept;
+    std::map<std::string, std::string> more_;  ///< files, by name
     TemporaryFolder folder_;
     ExperimentOptions options_;
     std::unique_ptr<KeptDescriptions> source_;

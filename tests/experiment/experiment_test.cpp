@@ -305,7 +305,8 @@ to = 5.5
     const Experiment never = experiment("trials = 2\nrequire = 'robot[1].x > 5'\n");
     const auto refused = run(never, "never");
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message(), testing::StartsWith("x.toml:6:11: require: in a hundred draws of trial 1"));
+    EXPECT_THAT(refused.error().message(), testing::StartsWith("x.toml:6:11: require: in a hundred draws bodies"));
+    EXPECT_THAT(refused.error().message(), testing::EndsWith(" (trial 1)"));
 }
 
 TEST_F(ExperimentTest, WrongExpressionsAreToldWithTheirPlaceBeforeTheFirstTrial) {
