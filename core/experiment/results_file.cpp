@@ -89,6 +89,9 @@ std::string differenceOf(const BatchIdentity& before, const BatchIdentity& now) 
         const auto found = identity.find(name);
         return found == identity.end() ? std::string() : found->second;
     };
+    // Another version may know its results by something else.
+    const std::string version = "mrose", by = valueIn(before, version), own = valueIn(now, version);
+    if (by != own && !by.empty() && !own.empty()) return "they were made by mrose " + by + ", and this is " + own;
     BatchIdentity all = now;
     all.insert(before.begin(), before.end());
     std::string ofContent;

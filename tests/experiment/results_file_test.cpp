@@ -131,6 +131,20 @@ TEST_F(Results, WhatDiffersIsTold) {
     EXPECT_EQ(told("content of c.so", "2"), begin + "they were made without c.so" + end);
 }
 
+/// Another version may know its results by other things: these are no reason.
+TEST_F(Results, AnotherVersionIsToldFirst) {
+    {
+        auto file = open({{"mrose", "0.9.0 abc"}, {"scenario", "a.toml"}});
+        ASSERT_TRUE(file && file->add({1, 1}, "1,1,a"));
+    }
+    const auto refused = open({{"experiment", "lane"}, {"mrose", "1.0.0 def"}});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message().find(
+                  ": holds other results: they were made by mrose 0.9.0 abc, and this is 1.0.0 def; expected"),
+              std::string::npos)
+        << refused.error().message();
+}
+
 TEST_F(Results, WhatIsCutOffIsSaidToBeDamaged) {
     const BatchIdentity identity{{"--duration", "2.0"}, {"content of a.toml", "1"}, {"scenario", "a.toml"}};
     {
