@@ -169,9 +169,11 @@ private:
 
     /// Nothing else may put something there later.
     void checkFree(TomlTable& table, const std::string& path) {
-        const std::vector<std::string> own = tuning_.experiment.scenario.places(path);
+        const ScenarioValue& scenario = tuning_.experiment.scenario;
+        const std::vector<std::string> own = scenario.places(path);
         const auto meets = [&](const std::string& other) {
-            return std::ranges::find_first_of(own, tuning_.experiment.scenario.places(other)) != own.end();
+            const std::vector<std::string> others = scenario.places(other);
+            return std::ranges::any_of(own, [&](const std::string& place) { return areWithin({place}, others); });
         };
         for (const Draw& draw : tuning_.experiment.draws)
             if (std::ranges::any_of(draw.paths, meets))

@@ -128,6 +128,21 @@ TEST_F(TuningFileTest, WhatIsWrongHasItsPlace) {
                 HasSubstr("robot[\"a\"].start.x_m is drawn by \"x\" for each trial"));
 }
 
+/// What stands in a table that is put there as a whole would be overwritten.
+TEST_F(TuningFileTest, PlacesWithinWhatIsSetAreRefused) {
+    const std::string set = "{ kind = \"velocity_script\", commands = [{ t_s = 0, v_mps = 0.3 }] }";
+    const std::string all = std::string(Lane::budget) + Lane::speed, own = lane_.texts["x.toml"];
+    lane_.texts["x.toml"] = own + "[[variant]]\nname = \"v\"\n[variant.set]\n\"robot[1].controller\" = " + set + '\n';
+    EXPECT_THAT(refusal("variant = \"v\"\n" + all),
+                HasSubstr("robot[1].controller.commands[1].v_mps is set by the variant; "
+                          "expected it in the experiment's `set`"));
+    lane_.texts["x.toml"] =
+        own + "[[draw]]\nname = \"c\"\npath = \"robot[1].controller.commands\"\nof = [[{ t_s = 0, v_mps = 0.3 }]]\n";
+    EXPECT_THAT(refusal(all), HasSubstr("robot[1].controller.commands[1].v_mps is drawn by \"c\" for each trial"));
+    lane_.texts["x.toml"] = own + "[set]\n\"robot[1].controller\" = " + set + '\n';
+    EXPECT_EQ(refusal(all), "") << "of all variants, before they are tuned";
+}
+
 TEST_F(TuningFileTest, TheExperimentsMistakesAreItsOwn) {
     lane_.texts["x.toml"] = std::string("trials = 0\n") + Lane::experiment;
     EXPECT_THAT(refusal(std::string(Lane::budget) + Lane::speed), HasSubstr("x.toml:"));
