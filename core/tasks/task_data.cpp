@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string_view>
 
 #include "experiment/run.h"
 
@@ -23,6 +25,22 @@ std::string listed(const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
     return text.empty() ? "none" : text;
+}
+
+/// Error: a name is there twice, as an input or beside what is learned.
+Expected<void> namedOnce(const TaskQuestion& question) {
+    std::set<std::string_view> seen;
+    for (const std::string& name : question.inputs)
+        if (!seen.insert(name).second) return fail("", "names \"" + name + "\" twice", 0, "--inputs");
+    for (const std::string& name : question.beside)
+        if (!seen.insert(name).second)
+            return fail("",
+                        "names \"" + name + "\"" +
+                            (std::ranges::find(question.inputs, name) != question.inputs.end()
+                                 ? ", an input (--inputs); expected features that are none"
+                                 : " twice"),
+                        0, "--beside");
+    return {};
 }
 
 Expected<std::size_t> columnOf(const ResultsTable& table, std::string_view kind, const std::string& name,
@@ -132,6 +150,7 @@ TaskData TaskData::part(int every, int offset, bool heldOut) const {
 }
 
 Expected<TaskData> taskData(const ResultsTable& table, const TaskQuestion& question) {
+    if (const auto once = namedOnce(question); !once) return tl::unexpected(once.error());
     TaskData data;
     data.target = question.target;
     data.inputs = question.inputs;

@@ -47,7 +47,7 @@ struct TaskData {
 
 /// By variant, trials of which a run is left out are left out whole, and counted as `unknown`; of the inputs those of
 /// the first run of the first variant count. Error: a column that is asked for is missing, with those that there are;
-/// no row is left; by variant, there is only one.
+/// no row is left; by variant, there is only one; a name is given twice.
 Expected<TaskData> taskData(const ResultsTable& table, const TaskQuestion& question);
 
 }  // namespace mrose

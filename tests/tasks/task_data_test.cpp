@@ -132,6 +132,10 @@ TEST_F(TaskDataTest, WhatIsMissingIsToldWithWhatThereIs) {
                 HasSubstr("--inputs: has no feature \"c\"; it has a, b, guess"));
     EXPECT_THAT(refusal({.inputs = {"draw.m"}, .target = "t"}), HasSubstr("--inputs: has no feature \"draw.m\""));
     EXPECT_THAT(refusal({.target = "t", .beside = {"d"}}), HasSubstr("--beside: has no feature \"d\""));
+    EXPECT_EQ(refusal({.inputs = {"a", "b", "a"}, .target = "t"}), "--inputs: names \"a\" twice");
+    EXPECT_EQ(refusal({.inputs = {"a"}, .target = "t", .beside = {"a"}}),
+              "--beside: names \"a\", an input (--inputs); expected features that are none");
+    EXPECT_EQ(refusal({.target = "t", .beside = {"guess", "guess"}}), "--beside: names \"guess\" twice");
     EXPECT_THAT(refusal({.target = "t", .beside = {"a", "b", "guess"}}), HasSubstr("has no features to learn from"));
     folder_.write("results.csv", "trial,seed,variant,end,feature.a,measure.t\n1,1,1,fault,1,1\n");
     const auto table = readResultsTable(folder_.path() / "results.csv");
