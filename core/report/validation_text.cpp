@@ -27,10 +27,12 @@ std::string numberOf(double value, int decimals, const std::string& minus) {
     return text.starts_with('-') ? minus + text.substr(1) : text;
 }
 
-/// As people read it.
-bool isNone(const ValidatedMeasure& measure, const Estimate& gain) {
-    const std::string text = fixed(shown(measure, gain.value), decimalsOf(measure, gain));
-    return text.find_first_not_of("0.") == std::string::npos;
+/// Whether 0 is it, or one of the interval's ends, or within that: as people read them.
+bool mayBeNone(const ValidatedMeasure& measure, const Estimate& gain) {
+    const auto isNone = [&](double value) {
+        return fixed(shown(measure, value), decimalsOf(measure, gain)).find_first_not_of("0.") == std::string::npos;
+    };
+    return isNone(gain.value) || isNone(gain.low) || isNone(gain.high) || (gain.low <= 0 && gain.high >= 0);
 }
 
 /// Of a difference.
@@ -65,11 +67,11 @@ std::string intervalText(const ValidatedMeasure& measure, const Estimate& estima
            numberOf(shown(measure, estimate.high), decimals, minus);
 }
 
-constexpr const char* noDifference = "no different";
+constexpr const char* noDifference = "no difference shown";
 
 std::string gainText(const ValidatedMeasure& measure, const Estimate& gain) {
     if (!std::isfinite(gain.value)) return "not known";
-    if (isNone(measure, gain) || (gain.low <= 0 && gain.high >= 0)) return noDifference;
+    if (mayBeNone(measure, gain)) return noDifference;
     const std::string number = fixed(std::abs(shown(measure, gain.value)), decimalsOf(measure, gain));
     return (gain.value < 0 ? "worse by " : "better by ") + withUnit(measure, number);
 }

@@ -18,6 +18,19 @@ bool parsed(const std::string& cell, Number& number) {
     return error == std::errc() && end == cell.data() + cell.size();
 }
 
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+/// Without blanks around them.
+std::vector<std::string> trimmedCells(std::string_view line) {
+    constexpr const char* blanks = " \t\r";
+    std::vector<std::string> cells = resultsCells(line);
+    for (std::string& cell : cells) {
+        cell.erase(cell.find_last_not_of(blanks) + 1);
+        cell.erase(0, std::min(cell.find_first_not_of(blanks), cell.size()));
+    }
+    return cells;
+}
+
 /// Sums of what was measured of one trial.
 struct RealSums {
     std::vector<double> sum, count;
@@ -42,14 +55,14 @@ Expected<RealResults> readRealResults(std::string_view text, const std::string& 
     std::vector<std::string> header;
     std::vector<std::size_t> columns;  // of trial, when and the measures
     int line = 0;
+    if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view one = text.substr(0, end);
+        const std::string_view one = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         ++line;
-        if (!one.empty() && one.back() == '\r') one.remove_suffix(1);
-        if (one.empty()) continue;
-        const std::vector<std::string> cells = resultsCells(one);
+        const std::vector<std::string> cells = trimmedCells(one);
+        if (cells.size() == 1 && cells.front().empty()) continue;
         if (header.empty()) {
             header = cells;
             std::vector<std::string> wanted{"trial", "when"};

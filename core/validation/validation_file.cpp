@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "learning/network_file.h"
+#include "learning/task_network.h"
 #include "scenario/description_library.h"
 #include "scenario/description_reader.h"
 
@@ -17,8 +19,21 @@ struct PartSet {
     Value::Table set;
     std::optional<Value> settings;
     std::vector<TrialRange> used;
-    bool saysUsed = false;
+    bool saysUsed = false;     ///< all of them, by `used_trials`
+    bool saysTunedOn = false;  ///< those of the settings file, by its evidence
 };
+
+/// Whether some of it was learned from trials.
+bool holdsTaskNetwork(const Value& value) {
+    if (const DescriptionFile* const file = value.asFile()) {
+        const std::string* const text = file->content.asText();
+        return text != nullptr ? networkKind(*text) == TaskNetwork::kind : holdsTaskNetwork(file->content);
+    }
+    if (const Value::Array* const array = value.asArray()) return std::ranges::any_of(*array, holdsTaskNetwork);
+    const Value::Table* const table = value.asTable();
+    return table != nullptr &&
+           std::ranges::any_of(*table, [](const auto& entry) { return holdsTaskNetwork(entry.second); });
+}
 
 class ValidationReader {
 public:
@@ -146,7 +161,7 @@ private:
         const std::string* const experiment = of != nullptr ? of->asText() : nullptr;
         const auto nameOf = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
         if (experiment == nullptr || whole("trials") == 0) return;
-        part.saysUsed = true;
+        part.saysTunedOn = true;
         if (nameOf(*experiment) != nameOf(experimentFile_->name)) return;  // trials of something else
         part.used.push_back({1, whole("trials")});
         if (whole("held_out_from") > 0) part.used.push_back({whole("held_out_from"), whole("held_out_to")});
@@ -224,9 +239,13 @@ private:
                                                   "; \"" + part.called + "\" used " + std::to_string(range.first) +
                                                   " to " + std::to_string(range.last) +
                                                   "; expected others, by `first_trial`");
-        if (!part.saysUsed && part.settings)
-            result_.notes.push_back("It is not said which trials \"" + part.called +
-                                    "\" was tuned on (`used_trials`): they may be among these.");
+        if (part.saysUsed) return;
+        const auto note = [&](const char* what) {
+            result_.notes.push_back("It is not said which trials \"" + part.called + "\" was " + what +
+                                    " (`used_trials`): they may be among these.");
+        };
+        if (part.settings && !part.saysTunedOn) note("tuned on");
+        if (holdsTaskNetwork(part.set)) note("learned from");
     }
 
     void buildExperiment(const PartSet& before, const PartSet& after, const PartSet& simulation,

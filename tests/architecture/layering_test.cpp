@@ -47,7 +47,7 @@ const std::map<std::string, std::set<std::string>> allowedLayers{
       "simulation", "quantities", "condition"}},
     {"tasks", {"io", "geometry", "world", "learning", "identification", "experiment"}},
     {"tuning", {"io", "geometry", "world", "learning", "scenario", "simulation", "experiment"}},
-    {"validation", {"io", "geometry", "world", "motion", "scenario", "experiment"}},
+    {"validation", {"io", "geometry", "world", "learning", "motion", "scenario", "experiment"}},
     {"recording",
      {"io", "geometry", "world", "motion", "physics", "scene", "control", "messages", "scenario", "simulation",
       "quantities"}},

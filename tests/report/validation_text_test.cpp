@@ -29,13 +29,16 @@ TEST(ValidationText, AValueHasAsManyDecimalsAsItsIntervalLeaves) {
 TEST(ValidationText, OfAGainSaysBetterOrWorse) {
     EXPECT_EQ(gainText(time, {0.5, 0.156, 0.854}), "better by 0.50 s");
     EXPECT_EQ(gainText(time, {-0.5, -0.854, -0.156}), "worse by 0.50 s");
-    EXPECT_EQ(gainText(time, {-0.5, -0.854, 0.156}), "no different");
+    EXPECT_EQ(gainText(time, {-0.5, -0.854, 0.156}), "no difference shown");
     EXPECT_EQ(gainWithIntervalText(time, {-0.5, -0.854, -0.156}), "worse by 0.50 s (0.16 to 0.85)") << "turned round";
-    EXPECT_EQ(gainWithIntervalText(time, {-0.5, -0.854, 0.156}), "no different (-0.50 s, -0.85 to 0.16)");
-    EXPECT_EQ(gainWithIntervalText(time, {0.5, -0.156, 0.854}), "no different (+0.50 s, -0.16 to 0.85)");
-    EXPECT_EQ(gainWithIntervalText(share, {0, 0, 0}), "no different (0.0 points, 0.0 to 0.0)");
-    EXPECT_EQ(gainWithIntervalText(share, {-0.0001, -0.0004, 0.0002}), "no different (0.0 points, 0.0 to 0.0)")
+    EXPECT_EQ(gainWithIntervalText(time, {-0.5, -0.854, 0.156}), "no difference shown (-0.50 s, -0.85 to 0.16)");
+    EXPECT_EQ(gainWithIntervalText(time, {0.5, -0.156, 0.854}), "no difference shown (+0.50 s, -0.16 to 0.85)");
+    EXPECT_EQ(gainWithIntervalText(share, {0, 0, 0}), "no difference shown (0.0 points, 0.0 to 0.0)");
+    EXPECT_EQ(gainWithIntervalText(share, {-0.0001, -0.0004, 0.0002}), "no difference shown (0.0 points, 0.0 to 0.0)")
         << "after rounding, without -0.0";
+    EXPECT_EQ(gainWithIntervalText(time, {-0.5, -0.996, -0.004}), "no difference shown (-0.50 s, -1.00 to 0.00)")
+        << "of what reads as 0 nobody sees that it is not";
+    EXPECT_EQ(gainText(time, {0.5, 0.0051, 0.9949}), "better by 0.50 s");
     EXPECT_EQ(gainText(time, {}), "not known");
 }
 
