@@ -44,8 +44,9 @@ bool readsInsights(std::string_view text, const Scenario& scenario);
 /// Error: `source` in the file's place, line and column in the text, and what is wrong: no expression, a name or a body
 /// that the scenario does not have, or what holds() would say of the scenario's start. Functions defined in the text
 /// may have names of their own, so that unknown ones there may come to light only in holds(). Without `real` no real
-/// log is open, and asking for it is an error that says so; likewise without `drawn`, what was drawn for a trial: later
-/// ones must have the same names. Not `tried`: what holds() would say of the start is not looked at.
+/// log is open, and asking for it is an error that says so; likewise what was drawn for a trial, where neither `drawn`
+/// nor the scenario has it: later ones must have the same names. Not `tried`: what holds() would say of the start is
+/// not looked at.
 Expected<Condition> compileCondition(std::string_view text, const Scenario& scenario,
                                      const std::string& source = "condition", const RealRobots* real = nullptr,
                                      const DrawnValues* drawn = nullptr, bool tried = true);

@@ -43,7 +43,7 @@ PlainExpression::Number PlainExpression::of(int place, const Moment& at) const {
             return {same == (node.operation == Operation::isText) ? 1.0 : 0.0, Number::Kind::truth};
         }
         case Operation::drawn:
-            return ofTrial(node, at.drawn);
+            return ofTrial(node, at.drawnValues());
         case Operation::measured:
             return ofTrial(node, at.measured);
         case Operation::conjunction:

@@ -197,7 +197,7 @@ private:
         if (!written) return fail();
         const std::string_view last = *written;
         if (found->parts.size() == 2) {
-            if (first == "draw") return ofTrial(Operation::drawn, last, start_.drawn);
+            if (first == "draw") return ofTrial(Operation::drawn, last, start_.drawnValues());
             if (first == "measure") return ofTrial(Operation::measured, last, start_.measured);
             if (const Quantity* const quantity = quantityOf(first, isOfGoal)) return ofGoal(*quantity, *found, last);
         }

@@ -234,7 +234,7 @@ int pushTrialValue(lua_State* lua, const DrawnValues& values, const char* what) 
 
 /// __index of `draw`: what was drawn for the trial.
 int readDrawn(lua_State* lua) {
-    const DrawnValues* const drawn = viewOf(lua).at.drawn;
+    const DrawnValues* const drawn = viewOf(lua).at.drawnValues();
     if (drawn == nullptr) return luaL_error(lua, "'draw' is known in experiments alone");
     return pushTrialValue(lua, *drawn, "draw");
 }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "quantities/drawn_values.h"
 #include "quantities/real_robots.h"
+#include "scenario/drawn_values.h"
 #include "scenario/scenario.h"
 #include "simulation/step.h"
 
@@ -38,10 +38,12 @@ struct Moment {
     const StepTrace* trace = nullptr;             ///< of the tick that led there; nullptr at a run's start
     std::span<const RobotInsight> insights = {};  ///< of each robot; empty: they were not recorded
     const RealRobots* real = nullptr;             ///< nullptr: no real log is open
-    const DrawnValues* drawn = nullptr;           ///< for a trial of an experiment; nullptr: it is none
+    const DrawnValues* drawn = nullptr;           ///< for a trial of an experiment; nullptr: what the scenario knows
     const DrawnValues* measured = nullptr;        ///< of that trial, at its end
 
     const Scene& scene() const { return scenario->scene(); }
+    /// nullptr: it is of no trial.
+    const DrawnValues* drawnValues() const { return drawn != nullptr ? drawn : scenario->parts().drawn.get(); }
     Nanoseconds now() const { return scene().timeOf(state->tick); }
 };
 

@@ -10,6 +10,7 @@
 
 #include "control/controller.h"
 #include "physics/collision_shape.h"
+#include "scenario/drawn_values.h"
 #include "scenario/log_player.h"
 #include "scene/obstacle_index.h"
 #include "scene/scene.h"
@@ -45,6 +46,8 @@ struct ScenarioParts {
     /// they are to be moved. Null: all begin at their starts.
     std::shared_ptr<const SavedState> saved = nullptr;
     std::vector<Pose> kickOffPoses = {};  ///< of the objects, where these are not their starts
+    std::shared_ptr<const DrawnValues> drawn =
+        nullptr;  ///< for the trial of an experiment that it is; null: it is none
 };
 
 /// All that is constant in a run, with what is derived from it once: where in the state each robot's commands and

@@ -8,10 +8,6 @@
 namespace mrose {
 namespace {
 
-Error settingError(const Settings& settings, const std::string& path, const Value& value, std::string cause) {
-    return {settings.file, static_cast<int>(value.line), static_cast<int>(value.column), path, std::move(cause)};
-}
-
 /// Whether `key`, or a key above it, leads from `content` to `there`.
 bool leadsTo(const Value* there, const Value& content, std::string key) {
     while (content.at(key) != there) {
@@ -43,10 +39,14 @@ Expected<ScenarioValue> Settings::putInto(const ScenarioValue& value) const {
     ScenarioValue with = value;
     for (const auto& [path, setting] : set) {
         auto changed = with.with(path, setting);
-        if (!changed) return tl::unexpected(settingError(*this, path, setting, changed.error().cause));
+        if (!changed) return tl::unexpected(about(path, setting, changed.error().cause));
         with = std::move(*changed);
     }
     return with;
+}
+
+Error Settings::about(const std::string& path, const Value& value, std::string cause) const {
+    return {file, static_cast<int>(value.line), static_cast<int>(value.column), path, std::move(cause)};
 }
 
 Error Settings::placed(const Error& error, const ScenarioValue& with) const {
@@ -55,7 +55,7 @@ Error Settings::placed(const Error& error, const ScenarioValue& with) const {
     // Of robots of one file an error does not say which of them it is about.
     if (found == set.end() || std::find_if(found + 1, set.end(), at) != set.end()) return error;
     const auto& [path, setting] = *found;
-    return settingError(*this, path, setting, (error.key == path ? "" : error.key + ": ") + error.cause);
+    return about(path, setting, (error.key == path ? "" : error.key + ": ") + error.cause);
 }
 
 Expected<Settings> readSettings(const Value& content, const std::string& file) {

@@ -20,6 +20,8 @@ struct Settings {
     /// What was found wrong with a scenario that they were put into: of their file, line and path where they made it
     /// so, else as it is.
     Error placed(const Error& error, const ScenarioValue& with) const;
+    /// What is wrong with one of them.
+    Error about(const std::string& path, const Value& value, std::string cause) const;
 };
 
 /// Of `format = "mrose settings"`; what it says as evidence is for people. Error: file, line, column and key of the
