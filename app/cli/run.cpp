@@ -102,7 +102,7 @@ const char* endText(RunEnd end, bool conditional) {
         case RunEnd::duration:
             return conditional ? ", in which the condition was never met" : "";
         case RunEnd::noBranch:
-            break;
+            return ", in which it did not branch";
     }
     return "";
 }

@@ -5,6 +5,22 @@
 
 namespace mrose {
 
+RunOptions untilBranch(Condition& branch, const Experiment& experiment, const Scenario& scenario,
+                       const DrawnValues& drawn) {
+    RunOptions options;
+    options.duration = experiment.branchWithin;
+    options.drawn = &drawn;
+    options.endOnFault = true;
+    options.every = ticksBetweenLooks(experiment, scenario.scene());
+    options.watchFollows = readsInsights(experiment.branch.text, scenario);
+    options.watch = [&](const Moment& at) -> Expected<bool> {
+        auto holds = branch.holds(at);
+        if (!holds) return tl::unexpected(experiment.branch.placed(holds.error(), experiment.file));
+        return holds;
+    };
+    return options;
+}
+
 Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions& expressions, ScenarioParts before,
                                   const DrawnValues& drawn, const std::function<bool()>& goesOn) {
     auto scenario = std::make_shared<const Scenario>(std::move(before));
@@ -13,17 +29,11 @@ Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions
     const auto compiled =
         expressions.of({.scenario = scenario.get(), .state = &start, .insights = none, .drawn = &drawn});
     if (!compiled) return tl::unexpected(compiled.error());
-    Condition& branches = *(*compiled)->branch;
-    RunOptions options;
-    options.duration = experiment.branchWithin;
-    options.drawn = &drawn;
-    options.endOnFault = true;
-    options.every = ticksBetweenLooks(experiment, scenario->scene());
-    options.watchFollows = readsInsights(experiment.branch.text, *scenario);
+    RunOptions options = untilBranch(*(*compiled)->branch, experiment, *scenario, drawn);
     std::optional<Error> failed;
-    options.watch = [&](const Moment& at) -> Expected<bool> {
-        const auto holds = branches.holds(at);
-        if (!holds) failed = experiment.branch.placed(holds.error(), experiment.file);
+    options.watch = [&, watch = options.watch](const Moment& at) -> Expected<bool> {
+        const auto holds = watch(at);
+        if (!holds) failed = holds.error();
         return !holds || *holds;
     };
     options.goesOn = [&](const WorldState&) { return !goesOn || goesOn(); };

@@ -17,6 +17,10 @@ struct BranchPoint {
     bool isReached() const { return before.end == RunEnd::condition; }
 };
 
+/// How a trial goes from its start until it branches. What is given must outlive the run.
+RunOptions untilBranch(Condition& branch, const Experiment& experiment, const Scenario& scenario,
+                       const DrawnValues& drawn);
+
 /// Runs a trial of an experiment that branches until it does, with the first seed. `goesOn` is asked after every tick
 /// and may be empty. Error: the condition cannot be answered.
 Expected<BranchPoint> runToBranch(const Experiment& experiment, TrialExpressions& expressions, ScenarioParts before,

@@ -131,9 +131,10 @@ private:
                              scenario.scene().tickLength, commandsOf(key));
     }
     RunCommands commandsOf(const RunKey& key) const {
-        std::string flags = " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
-        if (const std::string& variant = experiment_.variants[key.variant - 1].name; !variant.empty())
-            flags += " --variant " + shellQuoted(variant);
+        const Variant& variant = experiment_.variants[key.variant - 1];
+        std::string flags = options_.flags ? options_.flags(variant) : "";
+        flags += " --trial " + std::to_string(key.trial) + " --seed " + std::to_string(key.seed);
+        if (!variant.name.empty()) flags += " --variant " + shellQuoted(variant.name);
         return {options_.command + flags, options_.window + flags};
     }
 

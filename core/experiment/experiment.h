@@ -27,8 +27,9 @@ struct ExperimentOptions {
     /// Its loader of plug-ins is called by several threads at once.
     ScenarioLoading loading = {};
     std::function<void(ScenarioParts&)> loaded = {};  ///< called with each trial's scenario, likewise. May be empty
-    /// What reruns the experiment's trials; " --trial 3 --seed 7" follows.
+    /// What reruns the experiment's trials; `flags` of the variant and " --trial 3 --seed 7" follow.
     std::string command = "mrose run", window = "mrose-gui";
+    std::function<std::string(const Variant&)> flags = {};  ///< beginning with a blank. May be empty
     /// What all rows depend on. A folder with results of another identity is refused.
     BatchIdentity identity;
     std::function<void(const RunKey&)> begins = {};                          ///< as of BatchOptions

@@ -75,8 +75,8 @@ Expected<OpenedRun> openToRun(const OpenRequest& request, const OpenProgress& pr
     auto opened = openScenario(wanted, source);
     if (!opened) return tl::unexpected(opened.error());
     auto& [loaded, plugins, scenario, notes, trial] = *opened;
-    OpenedRun run{scenario->parts().name, request, nullptr, scenario->initialState(), {}, {}, std::move(notes), {}};
-    if (request.seed) run.start = scenario->initialState(*request.seed);
+    OpenedRun run{scenario->parts().name, request, nullptr, opened->initialState(request.seed), {}, {},
+                  std::move(notes),       {}};
     const std::uint32_t number = trial ? trial->number : request.trial;
     if (number > 0) run.name += ", trial " + std::to_string(number);
     if (trial && !trial->variant.empty()) run.name += ", " + trial->variant;

@@ -1,10 +1,7 @@
 #include "workflow/open_scenario.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <functional>
 #include <set>
 
 #include "experiment/branching.h"
@@ -15,12 +12,12 @@
 #include "io/shell_quoted.h"
 #include "motion/learned_model.h"
 #include "motion/noisy_model.h"
-#include "scenario/settings_file.h"
 #include "scenario/start_check.h"
 #include "scenario/state_scenario.h"
 #include "scenario/variation.h"
 #include "validation/validation_file.h"
 #include "workflow/resources.h"
+#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
@@ -63,96 +60,18 @@ std::vector<std::string> startsApartText(const LoadedScenario& loaded) {
             "lines"};
 }
 
-/// A file that is named by an override is seen from the current folder, otherwise as the scenario's own are.
-Value seenFromHere(const ScenarioOverride& given) {
-    constexpr std::array files{"network", "type", "environment", "shape", "initial_state", "log", "library"};
-    const std::string key = given.path.substr(given.path.find_last_of('.') + 1);
-    const std::string* const name = given.value.asText();
-    std::error_code ignored;
-    const bool here =
-        name && std::filesystem::exists(*name, ignored) && std::find(files.begin(), files.end(), key) != files.end();
-    return here ? Value(std::filesystem::absolute(*name, ignored).lexically_normal().string()) : given.value;
-}
-
-/// The scenario of a value with what is overridden; not yet read.
-Expected<ScenarioValue> overridden(ScenarioValue value, const std::vector<std::string>& assignments) {
-    for (const std::string& assignment : assignments) {
-        const auto given = parseOverride(assignment);
-        if (!given) return tl::unexpected(given.error());
-        auto changed = value.with(given->path, seenFromHere(*given));
-        if (!changed) return changed;
-        value = std::move(*changed);
-    }
-    return value;
-}
-
-/// Whether each place of a path, or something that it lies in, is among others.
-bool isWithin(const std::vector<std::string>& places, const std::vector<std::string>& others) {
-    return std::ranges::all_of(places, [&](const std::string& place) {
-        return std::ranges::any_of(others, [&](const std::string& other) {
-            return place.starts_with(other) &&
-                   (place.size() == other.size() || place[other.size()] == '.' || place[other.size()] == '[');
-        });
-    });
-}
-
-/// Error: an override is of something that every run has another value of.
-Expected<void> checkOverrides(const Experiment& experiment, const std::vector<std::string>& assignments) {
-    const auto placesOf = [&](const auto& paths, auto pathOf) {
-        std::vector<std::string> all;
-        for (const auto& path : paths)
-            for (std::string& place : experiment.scenario.places(pathOf(path))) all.push_back(std::move(place));
-        return all;
-    };
-    for (const std::string& assignment : assignments) {
-        const auto given = parseOverride(assignment);
-        if (!given) return tl::unexpected(given.error());
-        const std::vector<std::string> places = experiment.scenario.places(given->path);
-        if (places.empty()) continue;
-        const std::string useless = "has no effect: ", key = "--set " + given->path;
-        if (given->path == "seed") return fail("", useless + "each run has a seed of its own", 0, key);
-        for (const Draw& draw : experiment.draws)
-            if (isWithin(places, placesOf(draw.paths, std::identity())))
-                return fail("", useless + "draw \"" + draw.name + "\" sets it in each trial", 0, key);
-        if (std::ranges::all_of(experiment.variants, [&](const Variant& variant) {
-                return isWithin(places, placesOf(variant.set, [](const auto& set) { return set.first; }));
-            }))
-            return fail("", useless + (experiment.variants.size() > 1 ? "each variant sets it" : "its variant sets it"),
-                        0, key);
-    }
-    return {};
-}
-
-/// With the values of settings files, each seen to fit.
-Expected<ScenarioValue> withSettings(ScenarioValue value, const std::vector<std::string>& files,
-                                     DescriptionSource& source) {
-    constexpr std::string_view folders[] = {"resources/experiments"};
-    DescriptionLibrary library(source);
-    for (const std::string& name : files) {
-        const auto file = library.file(name, folders);
-        if (!file) return tl::unexpected(file.error());
-        const auto settings = readSettings((*file)->content, library.shown((*file)->name));
-        if (!settings) return tl::unexpected(settings.error());
-        auto with = settings->putInto(value);
-        if (!with) return with;
-        const auto loaded = loadScenario(*with, library, {.checkStarts = false});
-        if (!loaded) return tl::unexpected(settings->placed(loaded.error(), *with));
-        value = loaded->value;
-    }
-    return value;
-}
-
 /// With what is set and overridden; plug-ins are loaded once, when it is.
 Expected<LoadedScenario> loadOverridden(const ScenarioRequest& request, DescriptionSource& source,
                                         const PluginLoader& plugins) {
     if (request.overrides.empty() && request.settings.empty()) return loadScenario(request.file, source, {plugins});
     auto loaded = loadScenario(request.file, source);
     if (!loaded) return loaded;
-    const auto set = withSettings(std::move(loaded->value), request.settings, source);
-    if (!set) return tl::unexpected(set.error());
-    const auto value = overridden(*set, request.overrides);
+    const auto overrides = readOverrides(request.settings, request.overrides, source);
+    if (!overrides) return tl::unexpected(overrides.error());
+    const auto value = withOverrides(std::move(loaded->value), *overrides, source);
     if (!value) return tl::unexpected(value.error());
-    return loadScenario(*value, source, {plugins});
+    loaded = loadScenario(*value, source, {plugins});
+    return loaded ? std::move(loaded) : tl::unexpected(soughtHere(loaded.error(), *overrides));
 }
 
 /// Reads each text once: what comes through a pipe is gone then.
@@ -180,29 +99,50 @@ Expected<std::optional<OpenedExperiment>> experimentOf(const Value::File& file, 
     if (isValidation(file->content)) {
         auto validation = readValidation(file, source);
         if (!validation) return tl::unexpected(validation.error());
-        return std::optional(OpenedExperiment{std::move(validation->experiment), std::move(validation->content)});
+        return std::optional(OpenedExperiment{std::move(validation->experiment), std::move(validation->content), {}});
     }
     if (!isExperiment(file->content)) return std::optional<OpenedExperiment>();
     auto experiment = readExperiment(file, source);
     if (!experiment) return tl::unexpected(experiment.error());
-    return std::optional(OpenedExperiment{std::move(*experiment), file->content});
+    return std::optional(OpenedExperiment{std::move(*experiment), file->content, {}});
 }
 
 /// A variant that begins where its trial branched.
 Expected<LoadedScenario> goingOnFrom(const BranchPoint& point, const LoadedScenario& variant,
                                      const PluginLoader& plugins) {
-    if (!point.isReached())
-        return fail("", point.before.end == RunEnd::fault
-                            ? "before it branched, there was a fault: " + point.before.statistics.firstFault
-                            : "it does not come to hold");
     const Scenario scenario(variant.parts);
     const auto value = withState(variant.value, scenario, branchedState(point, scenario, point.before.state.seed));
     if (!value) return tl::unexpected(value.error());
     return loadScenario(*value, ScenarioLoading{plugins});
 }
 
-/// A trial of `opened.experiment`.
-Expected<LoadedScenario> loadTrial(const ScenarioRequest& request, const PluginLoader& plugins, OpenedTrial& opened) {
+/// A trial that does not branch, for as long as that is waited for.
+Expected<LoadedScenario> withoutBranch(const Experiment& experiment, const ScenarioValue& before,
+                                       const PluginLoader& plugins) {
+    const auto value = before.with("duration_s", toSeconds(experiment.branchWithin));
+    if (!value) return tl::unexpected(value.error());
+    return loadScenario(*value, ScenarioLoading{plugins});
+}
+
+std::string noBranchText(const Experiment& experiment, std::uint32_t trial, const BranchPoint& point) {
+    const std::string within = point.before.end == RunEnd::fault
+                                   ? " does not branch: there is a fault before"
+                                   : " does not branch within " + plainSeconds(experiment.branchWithin) + " s";
+    return "trial " + std::to_string(trial) + within +
+           "; until then it goes as the scenario is written, whatever its variant and seed";
+}
+
+/// As before the first trial of all: what one trial alone cannot answer, its run says as its row does.
+Expected<void> checkFirst(const Experiment& experiment, TrialMaker& maker, std::uint32_t number,
+                          const DrawnValues& drawn) {
+    if (number == experiment.firstTrial) return maker.checkExpressions(number, drawn);
+    const auto first = maker.make(experiment.firstTrial);
+    return first ? maker.checkExpressions(experiment.firstTrial, first->drawn) : Expected<void>();
+}
+
+/// A trial of `opened.experiment`. What must be known of it is added to `notes`.
+Expected<LoadedScenario> loadTrial(const ScenarioRequest& request, const ScenarioOverrides& overrides,
+                                   const PluginLoader& plugins, OpenedTrial& opened, std::vector<std::string>& notes) {
     const Experiment& experiment = *opened.experiment;
     const auto isAsked = [&](const Variant& variant) { return variant.name == request.variant; };
     const auto& variants = experiment.variants;
@@ -215,28 +155,34 @@ Expected<LoadedScenario> loadTrial(const ScenarioRequest& request, const PluginL
         return fail(experiment.file, "has no variant " + shellQuoted(request.variant) + "; expected " +
                                          (names.empty() ? "none, it has no variants" : names));
     }
+    auto useless = checkOverrides(experiment, *variant, overrides);
+    if (!useless) return tl::unexpected(useless.error());
+    notes = std::move(*useless);
     TrialExpressions expressions(experiment);
     const std::uint32_t number = request.trial > 0 ? request.trial : experiment.firstTrial;
     TrialMaker maker(experiment, expressions, {plugins});
     auto trial = maker.make(number);
     if (!trial) return tl::unexpected(trial.error());
-    if (const auto fit = maker.checkExpressions(number, trial->drawn); !fit) return tl::unexpected(fit.error());
+    if (const auto fit = checkFirst(experiment, maker, number, trial->drawn); !fit) return tl::unexpected(fit.error());
     LoadedScenario& loaded = trial->scenarios[static_cast<std::size_t>(variant - variants.begin())];
     if (trial->before) {
         if (request.plugins.loaded) request.plugins.loaded(trial->before->parts);
         auto point = runToBranch(experiment, expressions, std::move(trial->before->parts), trial->drawn);
         if (!point) return tl::unexpected(point.error());
-        auto begun = goingOnFrom(*point, loaded, plugins);
-        if (!begun)
-            return tl::unexpected(experiment.branch.placed(
-                begun.error().cause + " (trial " + std::to_string(number) + ')', experiment.file));
+        auto begun = point->isReached() ? goingOnFrom(*point, loaded, plugins)
+                                        : withoutBranch(experiment, trial->before->value, plugins);
+        if (!begun) return begun;
         loaded = std::move(*begun);
-        trial->drawn = point->drawn;
+        if (point->isReached())
+            trial->drawn = point->drawn;
+        else
+            notes.push_back(noBranchText(experiment, number, *point));
         opened.branch = std::make_shared<const BranchPoint>(std::move(*point));
     }
     opened.number = number;
     opened.variant = variant->name;
     opened.drawn = std::move(trial->drawn);
+    loaded.parts.drawn = std::make_shared<const DrawnValues>(opened.drawn);
     return std::move(loaded);
 }
 
@@ -253,14 +199,15 @@ Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file
     if (!opened) return tl::unexpected(opened.error());
     if (*opened && (!overrides.empty() || !settings.empty())) {
         Experiment& experiment = (*opened)->experiment;
-        if (const auto used = checkOverrides(experiment, overrides); !used) return tl::unexpected(used.error());
-        auto set = withSettings(std::move(experiment.scenario), settings, source);
-        if (!set) return tl::unexpected(set.error());
-        auto value = overridden(std::move(*set), overrides);
+        auto given = readOverrides(settings, overrides, source);
+        if (!given) return tl::unexpected(given.error());
+        if (const auto used = checkOverrides(experiment, *given); !used) return tl::unexpected(used.error());
+        auto value = withOverrides(std::move(experiment.scenario), *given, source);
         if (!value) return tl::unexpected(value.error());
         auto loaded = loadScenario(*value, source, {.checkStarts = false});
-        if (!loaded) return tl::unexpected(loaded.error());
+        if (!loaded) return tl::unexpected(soughtHere(loaded.error(), *given));
         experiment.scenario = std::move(loaded->value);
+        (*opened)->overrides = std::move(*given);
     }
     return opened;
 }
@@ -277,10 +224,11 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
     auto experiment = openExperiment(request.file, request.overrides, source, request.settings);
     if (!experiment) return tl::unexpected(experiment.error());
     std::optional<OpenedTrial> trial;
+    std::vector<std::string> notes;
     Expected<LoadedScenario> loaded;
     if (*experiment) {
         trial.emplace().experiment = std::make_shared<const Experiment>(std::move((*experiment)->experiment));
-        loaded = loadTrial(request, hashed, *trial);
+        loaded = loadTrial(request, (*experiment)->overrides, hashed, *trial, notes);
     } else if (!request.variant.empty()) {
         return fail(request.file, "is no experiment, and has no variant \"" + request.variant + '"');
     } else {
@@ -288,7 +236,7 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
     }
     if (!loaded) return tl::unexpected(loaded.error());
     if (request.plugins.loaded) request.plugins.loaded(loaded->parts);
-    std::vector<std::string> notes = startsApartText(*loaded);
+    for (std::string& sentence : startsApartText(*loaded)) notes.push_back(std::move(sentence));
     if (!trial) loaded = varied(*loaded, request.trial);
     if (!loaded) return tl::unexpected(loaded.error());
     for (std::string& sentence : startsOutsideText(loaded->parts.scene)) notes.push_back(std::move(sentence));
@@ -296,6 +244,11 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
     auto scenario = std::make_shared<const Scenario>(loaded->parts);
     return OpenedScenario{std::move(*loaded), plugins.hashes(), std::move(scenario), std::move(notes),
                           std::move(trial)};
+}
+
+WorldState OpenedScenario::initialState(std::optional<std::uint64_t> seed) const {
+    const bool unbranched = trial && trial->branch && !trial->branch->isReached();
+    return seed && !unbranched ? scenario->initialState(*seed) : scenario->initialState();
 }
 
 std::vector<std::string> startsOutsideText(const Scene& scene) {

@@ -9,7 +9,8 @@
 
 #include "experiment/branching.h"
 #include "experiment/experiment_file.h"
-#include "quantities/drawn_values.h"
+#include "scenario/drawn_values.h"
+#include "workflow/overrides.h"
 #include "workflow/plugins.h"
 
 namespace mrose {
@@ -33,7 +34,9 @@ struct OpenedTrial {
     std::uint32_t number = 0;
     std::string variant;
     DrawnValues drawn;
-    std::shared_ptr<const BranchPoint> branch = {};  ///< where it parted from the other variants, if it does
+    /// Where it parts from the other variants; null: it is none of an experiment that branches. Of one that does not
+    /// reach it the scenario is as it is until then, without a variant, and lasts as long as that is waited for.
+    std::shared_ptr<const BranchPoint> branch = {};
 };
 
 /// A scenario ready to run.
@@ -43,6 +46,9 @@ struct OpenedScenario {
     std::shared_ptr<const Scenario> scenario;
     std::vector<std::string> notes;         ///< what is most likely a mistake or must be known, a sentence each
     std::optional<OpenedTrial> trial = {};  ///< of an experiment
+
+    /// As it begins, with a seed or its own. A trial that does not branch always has that of its first run.
+    WorldState initialState(std::optional<std::uint64_t> seed) const;
 };
 
 /// Error: the first thing wrong in any file that it is made from, or in an override.
@@ -54,6 +60,7 @@ Expected<OpenedScenario> openScenario(const ScenarioRequest& request, Descriptio
 struct OpenedExperiment {
     Experiment experiment;
     Value content;  ///< of its file
+    ScenarioOverrides overrides = {};
 };
 /// nullopt: `file` describes something else, or there is none. Error: the first thing wrong in it.
 Expected<std::optional<OpenedExperiment>> openExperiment(const std::string& file,

@@ -17,12 +17,15 @@
 namespace mrose {
 namespace {
 
-/// What runs of an experiment are repeated by, but for their trials, seeds and variants.
-std::string repeated(const std::string& program, const ExperimentRequest& request) {
-    std::string command = program + ' ' + shellQuoted(request.file);
-    for (const std::string& file : request.settings) command += " --settings " + shellQuoted(file);
-    for (const std::string& assignment : request.overrides) command += " --set " + shellQuoted(assignment);
-    return command;
+/// What was put into the scenario, as far as a variant leaves it so: the rest is refused beside that.
+std::string overrideFlags(const ExperimentRequest& request, const OpenedExperiment& opened, const Variant& variant) {
+    std::string flags;
+    for (std::size_t i = 0; i < request.settings.size(); ++i)
+        if (hasEffect(opened.overrides.settings[i], opened.experiment, variant))
+            flags += " --settings " + shellQuoted(request.settings[i]);
+    for (const std::string& assignment : request.overrides)
+        if (hasEffect(assignment, opened.experiment, variant)) flags += " --set " + shellQuoted(assignment);
+    return flags;
 }
 
 /// The window isolates plug-ins without being told.
@@ -72,8 +75,9 @@ Expected<ExperimentSummary> runExperiment(const ExperimentRequest& request, cons
         if (const auto first = TrialMaker(experiment, expressions, options.loading).make(experiment.firstTrial); !first)
             return tl::unexpected(first.error());
     }
-    options.command = repeated("mrose run", request) + pluginFlags(request.plugins);
-    options.window = repeated("mrose-gui", request);
+    options.command = "mrose run " + shellQuoted(request.file) + pluginFlags(request.plugins);
+    options.window = "mrose-gui " + shellQuoted(request.file);
+    options.flags = [&](const Variant& variant) { return overrideFlags(request, **opened, variant); };
     options.identity = identityOf((*opened)->content, experiment, request);
     for (const auto& [path, hash] : plugins.hashes()) options.identity[std::string(contentOf) + path] = hash;
     options.begins = watch.runBegins;

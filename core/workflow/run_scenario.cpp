@@ -67,6 +67,12 @@ public:
     Expected<RunOptions> begin(const WorldState& initial) {
         const BranchPoint* const branch = trial_.branch.get();
         const std::vector<RobotInsight> none(initial.robots.size());
+        if (branch != nullptr && !branch->isReached()) {
+            const auto compiled =
+                expressions_.of({.scenario = &scenario_, .state = &initial, .insights = none, .drawn = &trial_.drawn});
+            if (!compiled) return tl::unexpected(compiled.error());
+            return untilBranch(*(*compiled)->branch, *trial_.experiment, scenario_, trial_.drawn);
+        }
         const Moment asked{.scenario = branch != nullptr ? branch->scenario.get() : &scenario_,
                            .state = branch != nullptr ? &branch->before.state : &initial,
                            .insights = none,
@@ -77,7 +83,15 @@ public:
         if (const auto begun = measurement_->begin(asked); !begun) return tl::unexpected(begun.error());
         return measuring(*measurement_, **compiled, *trial_.experiment, scenario_, trial_.drawn);
     }
-    std::vector<MeasuredValue> values() const { return measuredValues(*trial_.experiment, *measurement_); }
+    /// None of a trial that does not branch.
+    std::vector<MeasuredValue> values() const {
+        return measurement_ ? measuredValues(*trial_.experiment, *measurement_) : std::vector<MeasuredValue>();
+    }
+    /// How it has ended, as its row says.
+    RunEnd end(RunEnd end, Nanoseconds duration) const {
+        const bool waited = !measurement_ && duration >= trial_.experiment->branchWithin;
+        return end == RunEnd::duration && waited ? RunEnd::noBranch : end;
+    }
 
 private:
     const OpenedTrial& trial_;
@@ -102,7 +116,7 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     const Scenario& scenario = *opened->scenario;
     auto until = openCondition(request.until, scenario);
     if (!until) return tl::unexpected(until.error());
-    const WorldState initial = scenario.initialState(request.seed.value_or(scenario.parts().seed));
+    const WorldState initial = opened->initialState(request.seed);
     RunOptions options;
     std::optional<TrialUnderWay> trial;
     if (opened->trial) {
@@ -134,6 +148,7 @@ Expected<ScenarioRun> runScenario(const RunRequest& request, const RunWatch& wat
     auto result = run(scenario, initial, options);
     auto lost = recording.close(result ? &result->state : nullptr);
     if (!result) return tl::unexpected(result.error());
+    if (trial) result->end = trial->end(result->end, options.duration);
     const bool recorded = !request.recording.empty() && !lost;
     auto measured = trial ? trial->values() : std::vector<MeasuredValue>();
     return ScenarioRun{std::move(*opened), std::move(*result), std::move(measured), recorded, std::move(lost)};

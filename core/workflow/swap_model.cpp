@@ -40,6 +40,7 @@ Expected<BranchSetupPointer> withSwappedModel(const BranchSetup& setup, std::siz
     for (std::size_t i = 0; i < parts.controllers.size(); ++i)
         if (dynamic_cast<const PlaceOfPlugin*>(parts.controllers[i].get()) != nullptr)
             parts.controllers[i] = before.controllers[i];
+    parts.drawn = before.drawn;
     auto scenario = std::make_shared<const Scenario>(std::move(parts));
     return std::make_shared<const BranchSetup>(
         BranchSetup{std::make_shared<const ScenarioValue>(std::move(loaded->value)), std::move(scenario)});

@@ -1,12 +1,15 @@
 // Scenarios: opened, run, recorded, replayed, tried many times.
 #include <atomic>
+#include <set>
 
 #include <gmock/gmock.h>
 
+#include "debug/breakpoint.h"
 #include "io/format.h"
 #include "support/game_folder.h"
 #include "support/places.h"
 #include "workflow/expect_error.h"
+#include "workflow/open_run.h"
 #include "workflow/read_trials.h"
 #include "workflow/replay_recording.h"
 #include "workflow/run_batch.h"
@@ -269,6 +272,180 @@ fastest = { most = 'robot[1].speed' }
     misspelt.replace(misspelt.find("controller[\"aim x\"]"), 19, "controller.aims_x");
     expectError(runScenario({{write("misspelt.toml", misspelt)}}), path("misspelt.toml"),
                 {"features.aim: there is no 'aims_x' in 'controller'"});
+}
+
+/// A trial that does not branch, one with a fault before, and one whose features cannot be asked at the branch.
+TEST_F(Running, TrialsThatDoNotBranchAreRepeatedUpToWhereTheyWould) {
+    const std::string text = "format = \"mrose experiment\"\nversion = 1\nname = \"way\"\nscenario = \"" + game() +
+                             R"("
+trials = 12
+seeds = 2
+duration_s = 0.4
+branch_within_s = 0.6
+branch = 'draw.how > 0 and time > 0.2 and (draw.how ~= 3 or 5)'
+[[draw]]
+name = "how"
+of = [1, 0, 3, 2]
+[[variant]]
+name = "as it is"
+[[variant]]
+name = "it stands"
+set = { "robot[1].controller" = { kind = "wander", speed_mps = 0.0, rotation_degps = 0.0 } }
+[features]
+at = 'draw.how == 2 and time > 0.1 and "late" or time'
+[measures]
+x = 'robot[1].x'
+)";
+    const std::string file = write("branched.toml", text);
+    const auto done = runExperiment({file, path("out")});
+    ASSERT_TRUE(done) << done.error().message();
+    std::set<std::string> kinds;
+    for (const auto& row : csvRows(read("out/results.csv"))) {
+        RunRequest one{{file}};
+        one.scenario.trial = static_cast<std::uint32_t>(std::stoul(row.at("trial")));
+        one.scenario.variant = row.at("variant_name");
+        one.seed = std::stoull(row.at("seed"));
+        const auto run = runScenario(one);
+        kinds.insert(row.at("draw.how") + ' ' + row.at("end"));
+        if (row.at("end") == "fault") {
+            ASSERT_FALSE(run) << row.at("draw.how");
+            EXPECT_EQ(run.error().message(), row.at("fault"));
+            continue;
+        }
+        ASSERT_TRUE(run) << run.error().message();
+        EXPECT_EQ(name(run->result.end), row.at("end"));
+        EXPECT_EQ(hexadecimal(hashOf(run->result.state).world), row.at("world_hash"));
+        const bool branches = row.at("end") != "no branch";
+        EXPECT_EQ(run->measured.empty(), !branches);
+        ASSERT_EQ(run->opened.notes.empty(), branches);
+        if (!branches) {
+            OpenRequest window{file};
+            window.trial = one.scenario.trial, window.variant = one.scenario.variant, window.seed = one.seed;
+            const auto shown = openRun(window);
+            ASSERT_TRUE(shown) << shown.error().message();
+            EXPECT_EQ(shown->start.seed, run->result.state.seed) << "of the trial's first run";
+            EXPECT_THAT(run->opened.notes[0],
+                        testing::HasSubstr("trial " + row.at("trial") + " does not branch within 0.6 s"));
+        }
+    }
+    EXPECT_EQ(kinds, (std::set<std::string>{"0 no branch", "1 duration", "2 fault", "3 fault"}));
+}
+
+/// What the row says is wrong, not what else cannot be asked at the start. What the first trial cannot answer is told
+/// before any, so that one of two halves is wrong.
+TEST_F(Running, FaultOfATrialIsThatOfItsRow) {
+    std::size_t faults = 0;
+    for (const std::string right : {"draw.how > 0", "draw.how < 1"}) {
+        const std::string file =
+            write("x.toml", "format = \"mrose experiment\"\nversion = 1\nname = \"way\"\nscenario = \"" + game() +
+                                "\"\ntrials = 8\nduration_s = 0.1\nuntil = '" + right +
+                                " or 5'\n[[draw]]\nname = \"how\"\nof = [0, 1]\n[features]\nat = '" + right +
+                                " and 1 or \"a\"'\n");
+        if (!runExperiment({file, path("out")})) continue;
+        for (const auto& row : csvRows(read("out/results.csv"))) {
+            RunRequest one{{file}};
+            one.scenario.trial = static_cast<std::uint32_t>(std::stoul(row.at("trial")));
+            const auto run = runScenario(one);
+            EXPECT_EQ(run.has_value(), row.at("end") != "fault");
+            if (run) continue;
+            ++faults;
+            EXPECT_EQ(run.error().message(), row.at("fault"));
+        }
+    }
+    EXPECT_GT(faults, 0u);
+}
+
+TEST_F(Running, OverridesThatATrialDoesNotKeepAreRefused) {
+    const std::string file =
+        write("x.toml", "format = \"mrose experiment\"\nversion = 1\nname = \"way\"\nscenario = \"" + game() + R"("
+trials = 1
+duration_s = 0.1
+[[draw]]
+name = "x"
+path = "robot[1].start.x_m"
+from = -1.0
+to = -0.5
+[[variant]]
+name = "light"
+set = { "robot[1].type.mass_kg" = 5.0, "robot[1].start.y_m" = 0.3 }
+[[variant]]
+name = "as it is"
+)");
+    const std::string head = "format = \"mrose settings\"\nversion = 1\n[set]\n";
+    const std::string drawn =
+        write("drawn.toml", head + "\"robot[*].type.mass_kg\" = 7.0\n\"robot[1].start.x_m\" = 0.5\n");
+    const std::string heavy = write("heavy.toml", head + "\"robot[1].type.mass_kg\" = 7.0\n");
+    const std::string both =
+        write("both.toml", head + "\"robot[1].type.mass_kg\" = 7.0\n\"robot[1].start.heading_deg\" = 9.0\n");
+    const auto opened = [&](const std::string& variant, const std::string& settings, const std::string& set = {}) {
+        ScenarioRequest request{file};
+        request.variant = variant, request.trial = 1;
+        if (!settings.empty()) request.settings = {settings};
+        if (!set.empty()) request.overrides = {set};
+        return openScenario(request);
+    };
+    expectError(opened("as it is", drawn), drawn,
+                {"drawn.toml:5:24: robot[1].start.x_m: has no effect: draw \"x\" sets it in each trial"});
+    expectError(opened("light", heavy), heavy, {"has no effect: variant \"light\" sets all that it does"});
+    expectError(opened("light", "", "robot[1].type.mass_kg=7"), "",
+                {"--set robot[1].type.mass_kg: has no effect: variant \"light\" sets it"});
+    const auto massOf = [](const Expected<OpenedScenario>& of) { return of->scenario->scene().typeOf(0).mass; };
+    const auto plain = opened("as it is", heavy, "robot[1].start.y_m=0.1");
+    ASSERT_TRUE(plain) << plain.error().message();
+    EXPECT_EQ(massOf(plain), 7);
+    const auto partly = opened("light", both);
+    ASSERT_TRUE(partly) << partly.error().message();
+    EXPECT_EQ(massOf(partly), 5);
+    EXPECT_THAT(partly->notes,
+                testing::Contains(both + ":4:27: robot[1].type.mass_kg: has no effect: variant \"light\" sets it"));
+    // Rows of each variant are repeated with what it keeps.
+    ExperimentRequest all{file, path("out")};
+    all.settings = {heavy, both}, all.overrides = {"robot[1].start.y_m=0.1"};
+    const auto done = runExperiment(all);
+    ASSERT_TRUE(done) << done.error().message();
+    const auto rows = readTrials(path("out/results.csv"));
+    ASSERT_TRUE(rows) << rows.error().message();
+    ASSERT_EQ(rows->rows.size(), 2u);
+    EXPECT_EQ(rows->rows[0].request.settings, std::vector<std::string>{both});
+    EXPECT_TRUE(rows->rows[0].request.overrides.empty());
+    EXPECT_EQ(rows->rows[1].request.settings, (std::vector<std::string>{heavy, both}));
+    EXPECT_EQ(rows->rows[1].request.overrides, std::vector<std::string>{"robot[1].start.y_m=0.1"});
+}
+
+TEST_F(Running, ConditionsKnowWhatWasDrawnForATrial) {
+    const std::string file =
+        write("x.toml", "format = \"mrose experiment\"\nversion = 1\nname = \"way\"\nscenario = \"" + game() + R"("
+trials = 1
+duration_s = 0.5
+[[draw]]
+name = "when"
+from = 0.1
+to = 0.2
+)");
+    RunRequest one{{file}};
+    one.until = "time > draw.when";
+    const auto run = runScenario(one);
+    ASSERT_TRUE(run) << run.error().message();
+    EXPECT_EQ(run->result.end, RunEnd::condition);
+    const double when = *run->opened.trial->drawn[0].value.asFloat();
+    const double time = toSeconds(run->scenario().scene().timeOf(run->result.state.tick));
+    EXPECT_GT(time, when);
+    EXPECT_LE(time, when + toSeconds(run->scenario().scene().tickLength));
+    OpenRequest window{file};
+    window.trial = 1;
+    const auto shown = openRun(window);
+    ASSERT_TRUE(shown) << shown.error().message();
+    EXPECT_TRUE(checkBreakText("draw.when > 0.15", *shown->setup, nullptr));
+    EXPECT_FALSE(checkBreakText("draw.where > 0.15", *shown->setup, nullptr));
+    one.until = "time > draw.where";
+    expectError(runScenario(one), "--until", {"there is no draw 'where': there are 'when'"});
+    expectError(runScenario({.scenario = {game()}, .until = "time > draw.when"}), "--until", {"'draw' is known in"});
+}
+
+TEST_F(Running, FileThatAnOverrideNamesIsSoughtHereToo) {
+    const auto missing = openScenario({.file = game(), .overrides = {"robot[1].network=none.net"}});
+    const std::string here = (std::filesystem::current_path() / "none.net").string();
+    expectError(missing, game(), {"\"none.net\" was not found; expected " + here + ", " + path("none.net") + " or "});
 }
 
 TEST_F(Running, BatchOfSeveralSeedsAndAWrongCondition) {

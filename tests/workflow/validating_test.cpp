@@ -4,10 +4,14 @@
 
 #include "experiment/run.h"
 #include "io/format.h"
+#include "scenario/description_library.h"
+#include "support/places.h"
 #include "support/workshop.h"
+#include "validation/validation_file.h"
 #include "workflow/expect_error.h"
 #include "workflow/open_scenario.h"
 #include "workflow/read_trials.h"
+#include "workflow/resources.h"
 #include "workflow/validate_behaviour.h"
 #include "world/state_hash.h"
 
@@ -66,6 +70,25 @@ TEST_F(Validating, LogsAreCountedByTheNetworksWhereTheFileDoesNotSay) {
     ASSERT_TRUE(validated->result->account.fromNetworks);
     EXPECT_GT(*validated->result->account.logMinutes, 140);
     EXPECT_LT(*validated->result->account.logMinutes, 200);
+}
+
+/// What `mrose learn` makes of trials does not say which they were.
+TEST_F(Validating, LearnedFilesOfUnknownTrialsAreNoted) {
+    std::ifstream shipped(sourceFolder() / "resources/experiments/planner_choice_validation.toml");
+    const std::string text(std::istreambuf_iterator<char>(shipped), {}), said = "used_trials = [[1, 3000]]\n";
+    ASSERT_NE(text.find(said), std::string::npos);
+    const auto notes = [&](const std::string& content) {
+        DiskDescriptions source = openDescriptions();
+        const auto file = DescriptionLibrary(source).file(write("own.toml", content), {});
+        const auto validation = file ? readValidation(*file, source) : tl::unexpected(file.error());
+        EXPECT_TRUE(validation) << validation.error().message();
+        return validation ? validation->notes : std::vector<std::string>{};
+    };
+    EXPECT_TRUE(notes(text).empty());
+    std::string silent = text;
+    EXPECT_EQ(notes(silent.erase(silent.find(said), said.size())),
+              (std::vector<std::string>{"It is not said which trials \"chosen\" was learned from (`used_trials`): they "
+                                        "may be among these."}));
 }
 
 TEST_F(Validating, WhatCannotBeValidatedSaysWhy) {
