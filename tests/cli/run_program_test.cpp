@@ -113,15 +113,17 @@ TEST_F(RunProgram, WhatAnExperimentSetsItselfIsNotOverridden) {
               "[[variant]]\nname = \"one way\"\nset = { \"robot[2].start.heading_deg\" = 10, "
               "\"robot[1].start.heading_deg\" = 10 }\n"
               "[[variant]]\nname = \"another\"\nset = { \"robot[2].start.heading_deg\" = 20 }\n");
-    const auto set = [&](const std::string& assignment) {
-        return runMrose({"run", path("x.toml"), "--quiet", "--set", assignment});
+    const auto set = [&](const std::string& assignment, const std::string& variant = "one way") {
+        return runMrose({"run", path("x.toml"), "--quiet", "--variant", variant, "--set", assignment});
     };
     expectOneLine(set("robot[2].start.x_m=1"),
                   {"--set robot[2].start.x_m: has no effect: draw \"x\" sets it in each trial"});
     expectOneLine(set("robot[\"two\"].start.heading_deg=1"), {"each variant sets it"});
     expectOneLine(set("seed=1"), {"each run has a seed of its own"});
-    EXPECT_EQ(set("robot[1].start.heading_deg=1").status, 0) << "the other variant has it";
-    EXPECT_EQ(set("robot[*].start.heading_deg=1").status, 0) << "another robot, too";
+    for (const std::string assignment : {"robot[1].start.heading_deg=1", "robot[*].start.heading_deg=1"}) {
+        expectOneLine(set(assignment), {"has no effect: variant \"one way\" sets it"});
+        EXPECT_EQ(set(assignment, "another").status, 0) << "that leaves the first robot as it is";
+    }
 }
 
 TEST_F(RunProgram, ConditionEndsIt) {
