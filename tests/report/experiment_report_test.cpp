@@ -31,7 +31,7 @@ VariantSummary variant(const std::string& name, double time, double share) {
             40,
             38,
             1,
-            "trial 7: a: failed",
+            "a: failed (trial 7)",
             {measured("feature.asked", 7777, 7000, 8000), measured("measure.time <s>", time, time - 1, time + 2),
              measured("measure.done", share, share - 0.1, share + 0.1, true)}};
 }
@@ -58,7 +58,7 @@ TEST(ExperimentReport, VariantsStandBesideEachOtherInTableAndPictures) {
     for (const char* const text :
          {"&lt;ways&gt;", "a&amp;b.toml", "trials 11 to 30", "2 runs", "time &lt;s&gt;", "slow &amp; &lt;sure&gt;",
           "23.46 <small>22.46 to 25.46</small>", "25.00 <small>15.00 to 35.00</small>", "done (%)",
-          "fast: 1 of 40 runs ended by a fault, the first in trial 7: a: failed"})
+          "fast: 1 of 40 runs ended by a fault, the first: a: failed (trial 7)"})
         EXPECT_THAT(html, HasSubstr(text));
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 2u) << "one for each measure, none for what was asked";
 }
@@ -123,10 +123,10 @@ TEST(ExperimentReport, WithoutVariantsItSaysHowMeasuresSpread) {
     const std::string html = experimentReport(named(), summary, {});
     EXPECT_EQ(markupError(html), "");
     EXPECT_THAT(html, HasSubstr("11.50 to 14.50"));
-    EXPECT_THAT(html, HasSubstr(">1 of 40 runs ended by a fault, the first in trial 7: a: failed"));
+    EXPECT_THAT(html, HasSubstr(">1 of 40 runs ended by a fault, the first: a: failed (trial 7)"));
     const auto json = nlohmann::json::parse(experimentJson(summary, "out"));
     ASSERT_EQ(json["variants"].size(), 1u);
-    EXPECT_EQ(json["variants"][0]["first_fault"], "trial 7: a: failed");
+    EXPECT_EQ(json["variants"][0]["first_fault"], "a: failed (trial 7)");
     EXPECT_EQ(countOf(html, "<svg class=\"plot\""), 0u);
 }
 
