@@ -35,6 +35,7 @@ Inspector::Inspector(QWidget* parent)
     : QWidget(parent),
       chip_(new QLabel),
       title_(new ElidingLabel),
+      kind_(new ElidingLabel),
       hint_(new QLabel(tr("Click a robot or the ball to see all about it."))),
       queue_(new CommandQueue),
       tree_(new WholeRows<QTreeWidget>) {
@@ -52,6 +53,7 @@ Inspector::Inspector(QWidget* parent)
     layout->setContentsMargins(8, 8, 4, 4);
     layout->setSpacing(6);
     layout->addLayout(head);
+    layout->addWidget(kind_);
     hint_->setWordWrap(true);
     layout->addWidget(hint_);
     layout->addWidget(queue_);
@@ -212,13 +214,28 @@ void Inspector::refreshHead(bool robot) {
     const Scene& scene = frame_->scene();
     const QString type =
         qtText(robot ? scene.typeOf(*body_).name : scene.typeOfObject(*body_ - scene.robots.size()).name);
-    const QString name = qtText(frame_->nameOf(*body_));
-    title_->setText(type.compare(name, Qt::CaseInsensitive) == 0 ? name : name + "  \u00b7  " + type);
+    name_ = qtText(frame_->nameOf(*body_));
+    type_ = type.compare(name_, Qt::CaseInsensitive) == 0 ? QString() : type;
+    fitTitle();
     if (!robot) return;
     chip_->setStyleSheet(QString("background:%1;border:1px solid %2;border-radius:7px")
                              .arg(robotColour(frame_->scene(), *body_).name(), theme_.line.name()));
     queue_->setContent(
         {deadTimeQueueOf(*frame_->scenario, frame_->state, *body_), robotColour(frame_->scene(), *body_)});
+}
+
+/// A type that has no room beside the name stands below it.
+void Inspector::fitTitle() {
+    const QString both = type_.isEmpty() ? name_ : name_ + "  \u00b7  " + type_;
+    const bool fits = title_->fontMetrics().horizontalAdvance(both) <= title_->width();
+    title_->setText(fits ? both : name_);
+    kind_->setText(type_);
+    kind_->setVisible(title_->isVisibleTo(this) && !fits && !type_.isEmpty());
+}
+
+void Inspector::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitTitle();
 }
 
 void Inspector::refresh() {
@@ -227,6 +244,7 @@ void Inspector::refresh() {
     hint_->setVisible(!some);
     chip_->setVisible(robot);
     title_->setVisible(some);
+    if (!some) kind_->hide();
     tree_->setVisible(some);
     queue_->setVisible(robot);
     if (!some) return;

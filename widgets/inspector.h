@@ -50,11 +50,13 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void refresh();
     void refreshHead(bool robot);
+    void fitTitle();
     void sync(QTreeWidgetItem* parent, const QString& path, const std::vector<InspectorRow>& rows);
     void write(QTreeWidgetItem* item, const InspectorRow& row);
     std::optional<ValueKey> valueOf(const QTreeWidgetItem* item) const;
@@ -72,7 +74,8 @@ private:
     std::optional<int> nameWidth_;  ///< pixels, of the column as the user likes it; nullopt: of the widest name
     int widestName_ = 0;            ///< pixels, that was shown of this body
     QLabel* chip_;
-    ElidingLabel* title_;
+    QString name_, type_;  ///< of the body; the type is empty where it says the same
+    ElidingLabel *title_, *kind_;
     QLabel* hint_;
     CommandQueue* queue_;
     QTreeWidget* tree_;

@@ -213,7 +213,7 @@ public:
     }
     bool fits(double share) {
         char text[100];
-        std::snprintf(text, sizeof text, "noise: %.0f %%", 100 * share);
+        std::snprintf(text, sizeof text, "fitting the noise, by which runs stray from the mean: %.0f %%", 100 * share);
         if (line_.terminal() || share >= 1) line_.show(text);
         return !wasInterrupted();
     }
@@ -225,7 +225,8 @@ public:
             shownTenth_ = tenth;
             const std::string noise = p.ofNoise ? " (for the noise)"
                                       : p.membersOfNoise > 0
-                                          ? " (" + std::to_string(p.membersOfNoise) + " for the noise)"
+                                          ? " (" + std::to_string(p.members - p.membersOfNoise) + " for the motion, " +
+                                                std::to_string(p.membersOfNoise) + " for the noise)"
                                           : "";
             char text[200];
             std::snprintf(text, sizeof text,
@@ -249,7 +250,7 @@ void printSummary(const TrainedNetwork& trained, const std::string& file, double
                 trained.cancelled ? " (interrupted: the best network so far)" : "", n.mlp.shape.inputs,
                 n.mlp.shape.hidden, static_cast<long long>(n.training.patterns), durationText(seconds).c_str(),
                 static_cast<long long>(n.training.epochs),
-                n.members.size() > 1 ? " of all its networks but the noise's" : "");
+                n.members.size() > 1 ? " in all, without those for the noise" : "");
     std::printf(
         "held out, %.1f s open loop, %lld windows: position error %.2f %% of the path, heading error %.2f %% of the "
         "rotation\n",

@@ -30,8 +30,7 @@ struct LogWindows {
     std::vector<Nanoseconds> driveStarts;
     std::optional<Floor> floor = {}, turningFloor = {};  ///< where they were looked for
 
-    /// What its robots, and where they drove, are called beside what is predicted of them.
-    const char* real() const { return synthetic ? "logged" : "real"; }
+    const char* real() const { return realWord(synthetic); }
 };
 LogWindows logWindows(const Log& log, std::vector<Window> windows, const WindowOptions& options);
 

@@ -55,8 +55,7 @@ struct LoggedCases {
     std::vector<LoggedLook> looks;
     std::vector<LoggedCase> cases;
 
-    /// What its robots are called beside what is predicted of them.
-    const char* real() const { return synthetic ? "logged" : "real"; }
+    const char* real() const { return realWord(synthetic); }
 };
 
 /// The cases of some robots of a log, or of all with such a sensor. Error: an unknown robot, one without such a sensor,

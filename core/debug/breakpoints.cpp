@@ -382,7 +382,7 @@ std::string Breakpoints::reasonOf(const TimeTravel& run, const std::string& wait
     if (text.kind == BreakKind::condition) return std::string(text.name);
     if (text.kind == BreakKind::divergence)
         return diverged_.who ? diverged_.who(run.branches(), run.owner(), run.tick())
-                             : "a robot leaves the real trajectory";
+                             : "a robot leaves the trajectory of the log";
     if (text.kind == BreakKind::breakHere && text.name.empty() && !run.cursor().breakReason().empty())
         return run.cursor().breakReason();
     std::string reason;
@@ -452,7 +452,7 @@ std::vector<BreakpointState> Breakpoints::states(const TimeTravel& run, const st
             if (const auto& condition = compiled(run, std::string(text.name)); !condition)
                 state.unfit = wrongWith(condition.error());
         } else if (text.kind == BreakKind::divergence && !canDiverge()) {
-            state.unfit = "no real log is laid over the run yet";
+            state.unfit = "no log is laid over the run yet";
         } else if (const auto fits = checkBreakHere(breakpoint.text, run.setup(), run.reality()); !fits) {
             state.unfit = fits.error().cause;
         }

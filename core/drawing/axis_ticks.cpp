@@ -11,10 +11,10 @@ PlotRange usable(PlotRange range) {
     return range;
 }
 
-PlotRange withRoom(PlotRange range, double share) {
+PlotRange withRoom(PlotRange range, double share, PlotRange possible) {
     const double size = std::max(std::abs(range.low), std::abs(range.high)), length = range.high - range.low;
     const double room = length > 1e-9 * size ? share * length : size > 0 ? 0.1 * size : 1;
-    return {range.low - room, range.high + room};
+    return {std::max(possible.low, range.low - room), std::min(possible.high, range.high + room)};
 }
 
 AxisTicks axisTicks(PlotRange range, int wanted) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 namespace mrose {
@@ -9,8 +10,11 @@ struct PlotRange {
 };
 /// One that can be drawn: from 0 on where it begins nowhere, one unit long where it has no length.
 PlotRange usable(PlotRange range);
-/// With some room at both ends: a share of its length, or of its value where it has no length.
-PlotRange withRoom(PlotRange range, double share);
+/// Nothing is beyond it.
+inline constexpr PlotRange anyRange{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+/// With some room at both ends, though not beyond what is possible: a share of its length, or of its value where it has
+/// no length.
+PlotRange withRoom(PlotRange range, double share, PlotRange possible = anyRange);
 
 /// Multiples of 1, 2 or 5 times a power of ten within [low, high], about `wanted` of them.
 struct AxisTicks {

@@ -125,6 +125,10 @@ void SvgPlot::circle(const Point& centre, double pixels, std::string_view cssCla
     if (isFinite(centre)) marks_ += svgCircle(pixel(centre), pixels, classed(cssClass));
 }
 
+void SvgPlot::dot(const Point& centre, double pixels, std::string_view cssClass) {
+    if (isFinite(centre)) around_ += svgCircle(pixel(centre), pixels, classed(cssClass));
+}
+
 void SvgPlot::arrow(const Point& from, double direction, double pixels, std::string_view cssClass) {
     if (!isFinite(from) || !std::isfinite(direction)) return;
     const Point start = pixel(from);

@@ -39,6 +39,7 @@ public:
     void area(std::span<const Polygon> pieces, std::string_view cssClass);  ///< as one where they overlap
     void bar(double x, double width, double height, std::string_view cssClass, std::string_view tooltip);
     void circle(const Point& centre, double pixels, std::string_view cssClass);
+    void dot(const Point& centre, double pixels, std::string_view cssClass);  ///< whole at the edge of the frame, too
     /// An arrow of the given length in pixels from a point, in a direction in the plot's own coordinates.
     void arrow(const Point& from, double direction, double pixels, std::string_view cssClass);
     void label(const Point& at, double dx, double dy, std::string_view text, std::string_view cssClass);

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <set>
 
 #include "io/file.h"
 #include "logs/csv_channels.h"
+#include "logs/csv_clocks.h"
 #include "logs/csv_rows.h"
 #include "logs/csv_sensors.h"
 #include "logs/row_check.h"
@@ -20,6 +22,13 @@ struct CsvTrajectory {
     int group = 0;
     CsvChannels channels;
     CsvSensors sensors;
+    std::vector<FileTimes> times;  ///< of the files that its rows come from
+
+    void addTime(Nanoseconds time, const std::string& file) {
+        if (times.empty() || times.back().file != file) times.push_back({file, time, time});
+        times.back().first = std::min(times.back().first, time);
+        times.back().last = std::max(times.back().last, time);
+    }
 };
 
 struct CsvRobot {
@@ -60,6 +69,7 @@ public:
 private:
     Expected<void> addRows(CsvRows& rows, std::string_view content, const std::string& name);
     Expected<void> addRow(const CsvRows& rows, const CsvCells& cells, const std::string& name);
+    void checkClocks();
     Expected<void> finishTrajectory(CsvTrajectory& from, RobotLog& log, const LogOptions& options);
     CsvTrajectory& select(std::string_view robot, std::string_view trajectory);
 
@@ -165,6 +175,7 @@ Expected<void> CsvLog::addRow(const CsvRows& rows, const CsvCells& cells, const 
         trajectory.group = static_cast<int>(cell->number);
     }
     ++rows_;
+    trajectory.addTime(cells[CsvColumn::time]->instant, name);
     const auto driven = trajectory.channels.add(rows, cells);
     if (!driven) return tl::unexpected(driven.error());
     drivenRows_ += *driven;
@@ -204,6 +215,24 @@ Expected<void> CsvLog::finishTrajectory(CsvTrajectory& from, RobotLog& log, cons
     return from.sensors.finish(trajectory, options);
 }
 
+/// Trajectories of one name are of one session, with one clock.
+void CsvLog::checkClocks() {
+    std::map<std::string, std::map<std::string, FileTimes>> sessions;
+    for (const CsvRobot& robot : robots_)
+        for (const CsvTrajectory& trajectory : robot.trajectories)
+            for (const FileTimes& times : trajectory.times) {
+                FileTimes& ofFile = sessions[trajectory.name].emplace(times.file, times).first->second;
+                ofFile.first = std::min(ofFile.first, times.first);
+                ofFile.last = std::max(ofFile.last, times.last);
+            }
+    for (const auto& [name, byFile] : sessions) {
+        std::vector<FileTimes> files;
+        for (const auto& [file, times] : byFile) files.push_back(times);
+        if (std::string text = otherClockText(std::move(files)); !text.empty())
+            log_.incomplete.push_back(std::move(text));
+    }
+}
+
 Expected<Log> CsvLog::finish(const std::string& source, const LogOptions& options) {
     log_.source = source;
     if (rows_ < fewestRows) return fail(source, tooShortCause(rows_));
@@ -213,6 +242,7 @@ Expected<Log> CsvLog::finish(const std::string& source, const LogOptions& option
             if (auto finished = finishTrajectory(from, log, options); !finished)
                 return tl::unexpected(finished.error());
     }
+    checkClocks();
     log_.subjects = subjects_.finish(log_.robots, log_.incomplete);
     return std::move(log_);
 }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "io/format.h"
 #include "logs/conditioning.h"
+#include "world/seconds_text.h"
 
 namespace mrose {
 namespace {
@@ -56,12 +56,6 @@ void sortAndKeepLast(std::vector<Sample>& samples, SensorDefects& defects) {
     keepLastOfEqualStamps(samples, found);
     defects.outOfOrder += found.outOfOrder;
     defects.repeated += found.duplicates;
-}
-
-std::string secondsText(Nanoseconds time) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f", toSeconds(time));
-    return text;
 }
 
 }  // namespace
@@ -126,9 +120,9 @@ bool sharesTime(const SensorLog& sensor, const Trajectory& trajectory) {
 std::string otherTimeCause(const SensorLog& sensor, const Trajectory& trajectory) {
     const auto [reportedFirst, reportedLast] = reportedSpan(sensor);
     const auto [first, last] = spanOf(trajectory.commands, trajectory.poses);
-    return "readings from " + secondsText(reportedFirst) + " to " + secondsText(reportedLast) +
-           " s; expected some within the robot's commands and poses, " + secondsText(first) + " to " +
-           secondsText(last) + " s";
+    return "readings from " + secondsText(reportedFirst, 3) + " to " + secondsText(reportedLast, 3) +
+           " s; expected some within the robot's commands and poses, " + secondsText(first, 3) + " to " +
+           secondsText(last, 3) + " s";
 }
 
 }  // namespace mrose

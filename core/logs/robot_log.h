@@ -90,6 +90,9 @@ struct LogFile {
     std::string hash;  ///< contentHash of its bytes
 };
 
+/// What robots of a log, and where they drove, are called beside simulated or predicted ones.
+constexpr const char* realWord(bool synthetic) { return synthetic ? "logged" : "real"; }
+
 /// What one `LOG` argument of the program holds.
 struct Log {
     std::string source;  ///< the path as given
@@ -98,10 +101,9 @@ struct Log {
     std::vector<RobotLog> robots;
     std::vector<LogFile> files;
     bool synthetic = false;  ///< made by a simulation; no real robot drove (a part of the log is enough)
-    /// What its robots, and where they drove, are called beside simulated ones.
-    const char* real() const { return synthetic ? "logged" : "real"; }
+    const char* real() const { return realWord(synthetic); }
     /// What should be there and is not, a sentence each: a file that is empty or missing, the end of one that is cut
-    /// off, who carries a barcode. The rest is as sound as ever.
+    /// off, who carries a barcode, the clock of the other files. The rest is as sound as ever.
     std::vector<std::string> incomplete = {};
     /// A cause that it may explain, with the first of these sentences.
     std::string withIncomplete(std::string cause) const {

@@ -1,5 +1,6 @@
 #include "logs/unit_doubts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -14,6 +15,17 @@ constexpr double fastest = 50, fastestTurn = 20;  // m/s, rad/s: no mobile robot
 constexpr double leastWay = 0.05;                 // m: less is noise of a ball that lies
 constexpr double farthest = 300;                  // m: no sensor of a mobile robot reports more
 constexpr double seldom = 0.05;                   // share of the time that trackers and sensors may err
+
+/// Calls `use` with the ends of each span of poses that is long enough, and what it takes in s.
+template <class Use>
+void forSpans(const std::vector<StampedPose>& poses, const Use& use) {
+    for (std::size_t i = 1, from = 0; i < poses.size(); ++i) {
+        if (poses[i].time - poses[i - 1].time >= truthGap) from = i;
+        if (poses[i].time - poses[from].time < shortTime) continue;
+        use(poses[from].pose, poses[i].pose, toSeconds(poses[i].time - poses[from].time));
+        from = i;
+    }
+}
 
 /// What is known of neighbouring poses of all robots.
 struct Motion {
@@ -43,20 +55,17 @@ struct BallMotion {
 };
 
 void Motion::add(const std::vector<StampedPose>& poses) {
-    for (std::size_t i = 1, from = 0; i < poses.size(); ++i) {
+    for (std::size_t i = 1; i < poses.size(); ++i) {
         const Nanoseconds step = poses[i].time - poses[i - 1].time;
         ++steps;
         far += step >= truthGap;
         seconds += toSeconds(step);
-        if (step >= truthGap) from = i;
-        if (poses[i].time - poses[from].time < shortTime) continue;
-        const double time = toSeconds(poses[i].time - poses[from].time);
-        const Pose &a = poses[from].pose, &b = poses[i].pose;
-        ++spans;
-        fast += distance(position(a), position(b)) > fastest * time;
-        fastTurns += std::abs(b.heading - a.heading) > fastestTurn * time;
-        from = i;
     }
+    forSpans(poses, [this](const Pose& from, const Pose& to, double time) {
+        ++spans;
+        fast += distance(position(from), position(to)) > fastest * time;
+        fastTurns += std::abs(to.heading - from.heading) > fastestTurn * time;
+    });
 }
 
 /// What is known of ranges of all sensors.
@@ -78,6 +87,22 @@ struct Ranges {
 
 bool isOften(std::int64_t count, std::int64_t all) {
     return static_cast<double>(count) > seldom * static_cast<double>(all);
+}
+
+/// How fast the robot of a trajectory would be, and how fast it is told to be.
+struct Speeds {
+    std::vector<double> spans;  ///< m/s
+    double commanded = 0;       ///< m/s: the most
+};
+
+Speeds speedsOf(const Trajectory& trajectory) {
+    Speeds speeds;
+    for (const StampedCommand& command : trajectory.commands)
+        speeds.commanded = std::max(speeds.commanded, std::abs(command.command.v));
+    forSpans(trajectory.poses, [&speeds](const Pose& from, const Pose& to, double time) {
+        speeds.spans.push_back(distance(position(from), position(to)) / time);
+    });
+    return speeds;
 }
 
 std::string shortText(double value) {
@@ -130,6 +155,30 @@ std::vector<std::string> unitDoubts(const Log& log) {
         doubts.push_back("The sensors would report what is more than " + shortText(farthest) +
                          " m away: ranges are expected in metres, not in millimetres.");
     return doubts;
+}
+
+Expected<void> checkMetres(const Log& log) {
+    constexpr double asTold = 30, slowest = 3;  // times what is commanded; m/s
+    if (log.format != "csv") return {};
+    for (const RobotLog& robot : log.robots)
+        for (const Trajectory& trajectory : robot.trajectories) {
+            if (trajectory.commands.empty()) continue;
+            const Speeds speeds = speedsOf(trajectory);
+            const double most = std::min(fastest, std::max(slowest, asTold * speeds.commanded));
+            std::vector<double> fast;
+            for (const double speed : speeds.spans)
+                if (speed > most) fast.push_back(speed);
+            if (!isOften(std::ssize(fast), std::ssize(speeds.spans))) continue;
+            std::ranges::sort(fast);
+            const double typical = fast[fast.size() / 2];
+            const bool centimetres = typical < 300 * speeds.commanded;
+            return fail(log.files.size() == 1 ? log.files.front().path : log.source,
+                        "robot " + robot.robot + ", trajectory " + trajectory.name + ": by its poses it drives at " +
+                            shortText(typical) + " m/s where it is told at most " + shortText(speeds.commanded) +
+                            " m/s: x and y seem to be in " + (centimetres ? "centimetres" : "millimetres") +
+                            "; expected metres");
+        }
+    return {};
 }
 
 }  // namespace mrose

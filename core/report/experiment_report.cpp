@@ -36,6 +36,16 @@ struct Column {
     std::string label;
     bool share = true;
     std::vector<NamedMean> means;
+
+    /// Where such means can be: shares, and what is like them.
+    PlotRange possible() const {
+        constexpr PlotRange percent{0, 100};
+        const auto isIn = [&](double value) { return !(value < percent.low || value > percent.high); };
+        const bool alike = label.ends_with("(%)") && std::ranges::all_of(means, [&](const NamedMean& one) {
+                               return isIn(one.mean.value) && isIn(one.mean.low) && isIn(one.mean.high);
+                           });
+        return alike ? percent : anyRange;
+    }
 };
 
 Column columnOf(const ExperimentSummary& summary, std::size_t place) {
@@ -74,9 +84,10 @@ std::string figuresOf(const ExperimentSummary& summary, const Column& column) {
         curves[curve].push_back({sweep->at, column.means[v].mean});
     }
     std::string figures;
-    for (std::size_t i = 0; i < titles.size(); ++i) figures += sweepFigure(curves[i], titles[i], column.label);
+    for (std::size_t i = 0; i < titles.size(); ++i)
+        figures += sweepFigure(curves[i], titles[i], column.label, column.possible());
     if (titles.size() > 1) figures = element("div", "pair", figures);
-    return cat(figures, rows.empty() ? "" : meanFigure(rows, column.label));
+    return cat(figures, rows.empty() ? "" : meanFigure(rows, column.label, column.possible()));
 }
 
 std::string meansTable(const ExperimentSummary& summary, const std::vector<Column>& columns) {

@@ -7,6 +7,7 @@
 #include "assessment/reading_scores.h"
 #include "geometry/pose.h"
 #include "io/format.h"
+#include "logs/robot_log.h"
 #include "report/kick_text.h"
 #include "report/legend.h"
 #include "report/residual_figure.h"
@@ -34,8 +35,6 @@ double happened(const KickReport& report, const KickSample& kick, std::size_t qu
     if (quantity == 0) return kick.delay;
     return quantity == 1 ? kick.speed : wrapAngle(kick.direction - report.kicker.network().direction);
 }
-
-std::string_view realWord(const KickReport& report) { return report.synthetic ? "logged" : "real"; }
 
 /// Each hit's quantity against one of what it depends on.
 std::string kickFigure(const KickReport& report, std::size_t quantity, std::size_t input, double xFactor,
@@ -110,7 +109,7 @@ Expected<void> checkKickReportFolder(const std::filesystem::path& folder, bool o
 }
 
 std::string kickReportHtml(const KickReport& report, const ReportContext& context) {
-    const std::string_view word = realWord(report);
+    const std::string_view word = realWord(report.synthetic);
     const std::string title = "How true a learned kicker is";
     const std::string key = legend(cat(dotEntry("realdot", cat("a ", word, " kick that met the ball")),
                                        lineEntry("s0", "5 and 95 % of what is predicted")));

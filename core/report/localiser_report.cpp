@@ -9,6 +9,7 @@
 #include "assessment/reading_scores.h"
 #include "geometry/pose.h"
 #include "io/format.h"
+#include "logs/robot_log.h"
 #include "report/legend.h"
 #include "report/residual_figure.h"
 #include "report/results_json.h"
@@ -29,8 +30,6 @@ constexpr std::array<ShownError, LocaliserScores::dimensions> shownErrors{
     {{"ahead", "error ahead", "cm", 100, "ahead_m"},
      {"to the left", "error to the left", "cm", 100, "left_m"},
      {"heading", "error of the heading", "°", degrees, "heading_rad"}}};
-
-std::string_view loggedWord(const LocaliserReport& report) { return report.synthetic ? "logged" : "real"; }
 
 /// Errors of at most so many poses, evenly chosen, against one of what they depend on.
 template <class XOf>
@@ -120,7 +119,7 @@ Expected<void> checkLocaliserReportFolder(const std::filesystem::path& folder, b
 std::string localiserReportHtml(const LocaliserReport& report, const ReportContext& context) {
     const LearnedSensorModel model(report.network);
     const std::string title = "How true a learned localisation is";
-    const std::string key = legend(cat(dotEntry("realdot", cat("a ", loggedWord(report), " pose")),
+    const std::string key = legend(cat(dotEntry("realdot", cat("a ", realWord(report.synthetic), " pose")),
                                        lineEntry("s0", "5 and 95 % of what is predicted")));
     const auto speed = [](const SensedState& state) { return state.velocity.v; };
     const auto turning = [](const SensedState& state) { return degrees * state.velocity.w; };
@@ -142,7 +141,7 @@ std::string localiserReportHtml(const LocaliserReport& report, const ReportConte
                       "of the density of all three errors together (1/m²/rad). Gross errors, ten times farther off "
                       "than most, count as reports alone."),
             heading("Errors of poses, less what was expected of them"),
-            paragraph(cat("Nine of ten ", loggedWord(report),
+            paragraph(cat("Nine of ten ", realWord(report.synthetic),
                           " poses should lie between the lines, however the robot moved.")),
             key, element("div", "paths", figures), heading("Where this comes from"), tableCard(facts.text()),
             foldedFiles(context.trainingLogs)));

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "drawing/axis_ticks.h"
 #include "experiment/estimates.h"
 
 namespace mrose {
@@ -15,6 +16,7 @@ struct NamedMean {
 };
 
 /// A row for each, from above: its name, and a dot with its 95 % interval. `title`: of the axis, with its unit.
-std::string meanFigure(std::span<const NamedMean> means, std::string_view title);
+/// The axis does not leave what is possible.
+std::string meanFigure(std::span<const NamedMean> means, std::string_view title, PlotRange possible = anyRange);
 
 }  // namespace mrose

@@ -17,7 +17,8 @@ struct Stretch {
 
 }  // namespace
 
-std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitle, std::string_view yTitle) {
+std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitle, std::string_view yTitle,
+                        PlotRange possible) {
     std::vector<SweptMean> sorted(means.begin(), means.end());
     std::ranges::sort(sorted, {}, &SweptMean::at);
     std::vector<Stretch> stretches(1);
@@ -37,17 +38,17 @@ std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitl
         stretches.back().low.push_back({one.at, low});
         stretches.back().high.push_back({one.at, high});
     }
-    y = withRoom(y, 0.06);
+    y = withRoom(y, 0.06, possible);
     SvgPlot plot({.width = 460, .height = 250, .left = 70, .right = 30}, withRoom(x, 0.03), y,
                  cat(yTitle, " over ", xTitle));
     plot.axes(xTitle, yTitle);
     for (const Stretch& stretch : stretches) {
         plot.band(stretch.low, stretch.high, "band");
         plot.line(stretch.line, "s0");
-        for (const Point& point : stretch.line) plot.circle(point, 3.8, "mark");
+        for (const Point& point : stretch.line) plot.dot(point, 3.8, "mark");
     }
     for (const SweptMean& one : sorted)
-        if (!std::isfinite(one.mean.value)) plot.circle({one.at, y.low}, 3.8, "unreported");
+        if (!std::isfinite(one.mean.value)) plot.dot({one.at, y.low}, 3.8, "unreported");
     return plot.text();
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "drawing/axis_ticks.h"
 #include "experiment/estimates.h"
 
 namespace mrose {
@@ -14,7 +15,8 @@ struct SweptMean {
 };
 
 /// A curve over what was swept, in any order, with its 95 % band; it is broken, with a hollow mark on the axis, where a
-/// mean is not known. Titles with their units.
-std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitle, std::string_view yTitle);
+/// mean is not known. Titles with their units. The upright axis does not leave what is possible.
+std::string sweepFigure(std::span<const SweptMean> means, std::string_view xTitle, std::string_view yTitle,
+                        PlotRange possible = anyRange);
 
 }  // namespace mrose

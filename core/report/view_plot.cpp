@@ -64,7 +64,9 @@ void ViewPlot::scale() {
         if (bearing == 0 && (bearings_.high < besideEdge || bearings_.low > -besideEdge)) continue;
         ray(0, range_, bearing, "arc");
         const char* const side = bearing == 0 ? "" : bearing > 0 ? " left" : " right";
-        plot_.label(place(range_, bearing), 0, -7, cat(fixed(degrees * std::abs(bearing), 0), "°", side),
+        // Beside a corner the outer arc rises.
+        const double rise = std::max(0.0, 16 * sine(2 * std::abs(bearing)));
+        plot_.label(place(range_, bearing), 0, -7 - rise, cat(fixed(degrees * std::abs(bearing), 0), "°", side),
                     "tick middle");
     }
     plot_.circle({0, 0}, 6, "own");

@@ -5,6 +5,7 @@
 #include "identification/drive_fit.h"
 #include "identification/held_out_part.h"
 #include "logs/log_reader.h"
+#include "logs/unit_doubts.h"
 #include "workflow/log_files.h"
 #include "workflow/notices.h"
 #include "workflow/resources.h"
@@ -27,6 +28,7 @@ Expected<std::vector<Log>> openAll(const LearningLogsRequest& request, const std
     for (const std::string& source : request.sources) {
         auto log = openLog(source, request.robots, drive);
         if (!log) return tl::unexpected(log.error());
+        if (auto fits = checkMetres(*log); !fits) return tl::unexpected(fits.error());
         if (request.robots.empty()) leaveOutHalves(*log);
         logs.push_back(std::move(*log));
     }

@@ -67,6 +67,7 @@ Expected<TrainedKicker> trainKicker(const TrainKickerRequest& request, const Pro
         auto log = openLog(source, request.robots);
         if (!log) return tl::unexpected(log.error());
         if (auto has = checkKicks(*log); !has) return tl::unexpected(has.error());
+        if (auto fits = checkMetres(*log); !fits) return tl::unexpected(fits.error());
         for (std::string& notice : noticesOf(*log)) trained.notices.push_back(std::move(notice));
         for (const LogFile& file : log->files) sources.logs.push_back({file.path, file.hash});
         synthetic = synthetic || log->synthetic;

@@ -69,6 +69,7 @@ Expected<std::vector<Log>> openAll(const TrainSensorRequest& request) {
         auto log = openLog(source, {});
         if (!log) return tl::unexpected(log.error());
         if (auto holds = checkHolds(*log, request.sensor); !holds) return tl::unexpected(holds.error());
+        if (auto fits = checkMetres(*log); !fits) return tl::unexpected(fits.error());
         logs.push_back(std::move(*log));
     }
     for (const std::string& robot : request.robots)

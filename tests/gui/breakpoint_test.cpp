@@ -387,7 +387,7 @@ TEST_F(BreakpointTest, RunningWithoutABreakEndsWherePlayingEnds) {
 TEST_F(BreakpointTest, DivergenceIsOfferedOnceThereIsALog) {
     const QAction& action = window.actions()["break_on_divergence"];
     EXPECT_FALSE(action.isEnabled());
-    EXPECT_TRUE(action.toolTip().contains("Lay a real log over"));
+    EXPECT_TRUE(action.toolTip().contains("Lay a log over"));
     EXPECT_FALSE(window.actions().perform("break_on_divergence", {}));
     window.session().setBreakpoints({});
     window.session().changeBreakpoints([](Breakpoints& all) {
@@ -406,7 +406,7 @@ TEST_F(BreakpointTest, DivergenceIsOfferedOnceThereIsALog) {
     window.session().changeBreakpoints([](Breakpoints& all) { all.setDivergence({}); });
     settle();
     EXPECT_FALSE(action.isEnabled());
-    EXPECT_EQ(state(0).unfit, "no real log is laid over the run yet");
+    EXPECT_EQ(state(0).unfit, "no log is laid over the run yet");
 }
 
 TEST_F(BreakpointTest, AreKeptByScenario) {

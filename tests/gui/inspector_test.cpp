@@ -15,6 +15,7 @@
 #include "gui/window_fixture.h"
 #include "panels/plot_panel.h"
 #include "quantities/note_label.h"
+#include "widgets/eliding_label.h"
 #include "widgets/inspector_delegate.h"
 #include "widgets/qt_text.h"
 
@@ -89,6 +90,26 @@ TEST_F(InspectorTest, SaysWhereARobotIsAndHowItMoves) {
     select(8);
     const ObjectState& ball = frame().state.objects[0];
     EXPECT_EQ(value({"Motion", "speed"}), text(std::hypot(ball.velocity_W.x, ball.velocity_W.y), 3, "m/s"));
+}
+
+TEST_F(InspectorTest, NameAndTypeAreWholeWhereTheyHaveRoomBelowEachOther) {
+    Inspector narrow;
+    narrow.setFrame(window.shown()->frame);
+    narrow.setBody(0);
+    narrow.show();
+    const auto labels = narrow.findChildren<ElidingLabel*>();
+    ASSERT_EQ(labels.size(), 2);
+    const QString name = qtText(frame().nameOf(0)), type = qtText(frame().scene().typeOf(0).name);
+    for (const QString& text : {name, type}) ASSERT_FALSE(text.isEmpty());
+    const int both = labels[0]->fontMetrics().horizontalAdvance(name + "  \u00b7  " + type);
+    for (const int missing : {-60, 60}) {
+        narrow.resize(both + 40 - missing, 600);
+        settle();
+        QStringList seen;
+        for (const ElidingLabel* label : labels)
+            if (label->isVisibleTo(&narrow)) seen << label->shownText();
+        EXPECT_EQ(seen, missing > 0 ? QStringList({name, type}) : QStringList(name + "  \u00b7  " + type)) << missing;
+    }
 }
 
 TEST_F(InspectorTest, SaysWhatIsInEffectByTheDeadTimes) {

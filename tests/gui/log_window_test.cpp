@@ -240,7 +240,7 @@ TEST_F(LogWindowTest, TableOfPlotsGoesToTheEndOfTheRolloutAndHasTheBound) {
         const Scene& scene = window.shown()->frame->scene();
         constexpr int curves = 4;  // of position and heading, of the run and a model
         const std::vector<std::string> last(rows[0].begin() + 2 + curves, rows[0].end());
-        EXPECT_THAT(last, ElementsAre("bound (cm)", "bound (\u00b0)", "leaves the real trajectory", "ahead"));
+        EXPECT_THAT(last, ElementsAre("bound (cm)", "bound (\u00b0)", "leaves the logged trajectory", "ahead"));
         std::size_t compared = 0, crossings = 0;
         for (std::size_t i = 1; i < rows.size(); ++i) {
             const std::vector<std::string>& cells = rows[i];

@@ -98,6 +98,44 @@ TEST(CsvReader, FilesOfAFolderAreOneLogByTime) {
     EXPECT_EQ(log->robots[0].defects.outOfOrder, 0);
 }
 
+/// What is said of a folder of these files, named from a on, each with a minute of commands or poses from a time on.
+std::vector<std::string> saidOfFilesFrom(const std::vector<std::string>& starts) {
+    const TemporaryFolder folder;
+    std::string name = "a.csv";
+    for (const std::string& start : starts) {
+        const bool commands = name[0] % 2 == 1;
+        std::string text = commands ? "t,v_cmd,w_cmd\n" : "t,x,y,heading\n";
+        const std::string end = std::to_string(std::stoll(start) + 60);
+        for (const std::string& time : {start, end}) text += time + (commands ? ",1,0\n" : ",1,0,0\n");
+        folder.write(name, text);
+        ++name[0];
+    }
+    return readCsv(folder.path()).value().incomplete;
+}
+
+TEST(CsvReader, AFileWithAnotherClockIsNamedWithItsTimes) {
+    using testing::ElementsAre;
+    using testing::IsEmpty;
+    const std::string asked = " s: is that another clock? Then nothing of both is joined.";
+    EXPECT_THAT(saidOfFilesFrom({"0", "1", "1700000000", "60", "61"}),
+                ElementsAre("c.csv begins at 1700000000.0 s, the other files' times are 0.0 to 121.0" + asked));
+    EXPECT_THAT(saidOfFilesFrom({"7200", "7201", "0", "7201"}),
+                ElementsAre("c.csv begins at 0.0 s, the other files' times are 7200.0 to 7261.0" + asked));
+    EXPECT_THAT(saidOfFilesFrom({"7200", "9", "0", "7201", "5"}),
+                ElementsAre("a.csv and 1 more begin at 7200.0 s, the other files' times are 0.0 to 69.0" + asked));
+    EXPECT_THAT(saidOfFilesFrom({"0", "3000"}), IsEmpty()) << "less than an hour";
+    EXPECT_THAT(saidOfFilesFrom({"0", "86400", "172800", "259200"}), IsEmpty()) << "a minute of each day";
+}
+
+TEST(CsvReader, FilesOfOtherTrajectoriesHaveClocksOfTheirOwn) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "trajectory,t,v_cmd,w_cmd\none,0,1,0\none,1,1,0\n");
+    folder.write("b.csv", "trajectory,t,v_cmd,w_cmd\ntwo,1700000000,1,0\ntwo,1700000001,1,0\n");
+    EXPECT_THAT(readCsv(folder.path()).value().incomplete, testing::IsEmpty());
+    folder.write("b.csv", "robot,trajectory,t,v_cmd,w_cmd\nb,one,1700000000,1,0\nb,one,1700000001,1,0\n");
+    EXPECT_EQ(readCsv(folder.path()).value().incomplete.size(), 1u) << "robots of a session have one";
+}
+
 TEST(CsvReader, CommandsInFilesOfTheirOwnHoldUntilTheirNextValue) {
     const TemporaryFolder folder;
     folder.write("v.csv", "t,v_cmd\n0,0.1\n1,0.2\n2,0.3\n");

@@ -56,6 +56,36 @@ TEST(UnitDoubts, PositionsInMillimetres) {
                 ElementsAre(HasSubstr("in metres")));
 }
 
+/// The circle, as told to be driven.
+Log told(double positions, double speed) {
+    Log log = circle([&](StampedPose& stamped) { stamped.pose.x *= positions, stamped.pose.y *= positions; });
+    log.source = "drive.csv";
+    log.robots[0].trajectories[0].name = "one";
+    log.robots[0].trajectories[0].commands = {{0, {speed, 0.6}}};
+    return log;
+}
+
+std::string refusal(const Log& log) {
+    const auto fits = checkMetres(log);
+    return fits ? "" : fits.error().message();
+}
+
+TEST(UnitDoubts, PositionsThatCannotBeMetresAreRefusedWithTheUnitTheyLookLike) {
+    EXPECT_EQ(refusal(told(1, 0.3)), "");
+    EXPECT_EQ(refusal(told(1, 0)), "") << "carried around";
+    EXPECT_EQ(refusal(told(1000, 0.3)),
+              "drive.csv: robot robot, trajectory one: by its poses it drives at 300 m/s where it is told at most 0.3 "
+              "m/s: x and y seem to be in millimetres; expected metres");
+    EXPECT_THAT(refusal(told(100, 0.3)), HasSubstr("at 30 m/s where it is told at most 0.3 m/s: x and y seem to be in "
+                                                   "centimetres"));
+    EXPECT_THAT(refusal(told(1000, 300)), HasSubstr("at 300 m/s")) << "with commands alike: no robot is as fast";
+    Log folder = told(1000, 0.3);
+    folder.files = {{"logs/drive.csv", ""}};
+    EXPECT_TRUE(refusal(folder).starts_with("logs/drive.csv: "));
+    folder.format = "mrclam";
+    EXPECT_EQ(refusal(folder), "") << "the format has its units";
+}
+
 TEST(UnitDoubts, PositionsOfTheBallInMillimetres) {
     // Kicked every 10 s, it slows down and lies; its positions have noise of 1 mm.
     const auto kicked = [](double unit) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "report/mean_figure.h"
 #include "report/measure_label.h"
 #include "report/program_json.h"
 #include "report/sweep_figure.h"
@@ -81,6 +82,41 @@ TEST(ExperimentReport, WhatWasSweptIsDrawnAsCurves) {
     EXPECT_THAT(html, Not(HasSubstr("ended"))) << "no condition ends them";
     summary.until = true;
     EXPECT_THAT(experimentReport(named(), summary, {}), HasSubstr("ended"));
+}
+
+/// The number of an attribute of the first element that a text begins.
+double attributeAfter(const std::string& svg, const std::string& element, const std::string& attribute) {
+    const auto at = svg.find(' ' + attribute + "=\"", svg.find(element));
+    return std::stod(svg.substr(at + attribute.size() + 3));
+}
+
+TEST(ExperimentReport, AxesOfSharesEndWhereSharesDo) {
+    const NamedMean none{"none", {0, 0, 20}}, all{"all", {100, 80, 100}};
+    const auto placeOf = [](std::initializer_list<NamedMean> means, PlotRange possible) {
+        const std::string svg = meanFigure(std::vector(means), "done (%)", possible);
+        return (attributeAfter(svg, "<circle", "cx") - attributeAfter(svg, "<svg x=", "x")) /
+               attributeAfter(svg, "<svg x=", "width");
+    };
+    EXPECT_NEAR(placeOf({none, all}, {0, 100}), 0, 1e-4) << "the axis begins at 0 %";
+    EXPECT_NEAR(placeOf({all, none}, {0, 100}), 1, 1e-4) << "and ends at 100 %";
+    EXPECT_NEAR(placeOf({none, all}, anyRange), 0.08 / 1.16, 1e-4) << "else there is room beside it";
+    const SweptMean swept[] = {{0, {0, 0, 20}}, {1, {100, 80, 100}}};
+    const std::string curve = sweepFigure(swept, "x", "done (%)", {0, 100});
+    EXPECT_NEAR(attributeAfter(curve, "<circle", "cy"),
+                attributeAfter(curve, "<svg x=", "y") + attributeAfter(curve, "<svg x=", "height"), 0.01);
+}
+
+TEST(ExperimentReport, WhatIsLikeASharePerCentIsDrawnAsOne) {
+    const auto beginOf = [](const std::string& name, double low) {
+        ExperimentSummary summary;
+        summary.variants = {variant("a", 20, 0.5), variant("b", 20, 0.5)};
+        for (VariantSummary& one : summary.variants) one.measures = {measured("measure." + name, 0, low, 90)};
+        const std::string html = experimentReport(named(), summary, {});
+        return attributeAfter(html, "<circle", "cx") - attributeAfter(html, "<svg x=", "x");
+    };
+    EXPECT_NEAR(beginOf("none_percent", 0), 0, 0.01);
+    EXPECT_GT(beginOf("time_s", 0), 10);
+    EXPECT_GT(beginOf("gained_percent", -5), 10) << "a gain may be a loss";
 }
 
 TEST(SweepFigure, LeadsFromValueToValueInTheirOrder) {

@@ -62,6 +62,13 @@ TEST_F(WrongInput, CommandsAndGroundTruthOfDifferentTimesAreRefused) {
     expectError(evaluateNetwork({network(), apart}), apart, {"expected both of the same time"});
 }
 
+TEST_F(WrongInput, NothingIsLearnedFromPositionsInMillimetres) {
+    std::string rows = "t,v_cmd,w_cmd,x,y,heading\n";
+    for (int i = 0; i < 1000; ++i) rows += std::to_string(0.05 * i) + ",0.2,0," + std::to_string(10 * i) + ",0,0\n";
+    const std::string file = write("millimetres.csv", rows);
+    expectError(trainNetwork(training(file, path("b.net"))), file, {"at 200 m/s", "millimetres; expected metres"});
+}
+
 TEST_F(WrongInput, LogTooShortForAWindowIsRefused) {
     const std::string brief = write("brief.csv", firstLines(plantedCsv(), 60));
     expectError(trainNetwork(training(brief, path("b.net"))), brief);

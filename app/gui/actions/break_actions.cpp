@@ -109,8 +109,8 @@ void addKinds(const WindowFrame& frame, const FieldView& field, BreakpointPanel&
         plain({"break_on_divergence", QObject::tr("On &divergence"), QKeySequence("Shift+D"), ""}, "divergence");
     const auto update = [divergence](bool laidOver) {
         divergence->setEnabled(laidOver);
-        divergence->setToolTip(laidOver ? QObject::tr("Stop where the run leaves the real log (Shift+D)")
-                                        : QObject::tr("Lay a real log over the run first: then it stops where the run "
+        divergence->setToolTip(laidOver ? QObject::tr("Stop where the run leaves the log (Shift+D)")
+                                        : QObject::tr("Lay a log over the run first: then it stops where the run "
                                                       "leaves the log (Shift+D)"));
         divergence->setStatusTip(divergence->toolTip());
     };

@@ -64,22 +64,22 @@ void addPlotActions(const WindowFrame& frame, FieldView& field, PlotPanel& plots
                                 [&plots](const QString& text) { return plots.addExpression(text); }});
     actions.add(menu,
                 {"plot_speeds", QObject::tr("Plot spee&ds and commands"), QKeySequence("Shift+V"),
-                 QObject::tr("The robot's commands, its velocity and the real one's, or no longer")},
+                 QObject::tr("The robot's commands, its velocity and the logged one's, or no longer")},
                 [&frame, speeds](bool) {
                     if (!speeds->toggle())
                         frame.say(
-                            QObject::tr("Nothing real is known beside this robot: open a log, or select "
+                            QObject::tr("No log is known beside this robot: open one, or select "
                                         "one of its robots"));
                 });
     panel.causes().offer(actions["plot_speeds"]);
     actions.add(menu,
                 {"plot_errors", QObject::tr("Plot &the errors"), QKeySequence("Shift+R"),
-                 QObject::tr("How far the selected robot, or all, and overlaid models are from the real ones, or no "
+                 QObject::tr("How far the selected robot, or all, and overlaid models are from the log, or no "
                              "longer")},
                 [&](bool) {
                     std::vector<ValueKey> errors = errorsOf(frame, field);
                     if (errors.empty()) {
-                        frame.say(QObject::tr("Nothing real is known beside this: open a log over it first"));
+                        frame.say(QObject::tr("No log is known beside this: open one over it first"));
                         return;
                     }
                     const ValueKey first = errors.front();

@@ -186,6 +186,7 @@ struct ValueTable {
     std::vector<QVector<QPointF>> ahead;  ///< PlotCurve::ahead of each of the shown branch's columns
     std::vector<PlotLevel> levels;        ///< what some of them are held against
     std::optional<std::int64_t> instant;  ///< at which they left that
+    std::string real;                     ///< realWord()
 };
 
 /// Reads all values of a branch, tick by tick.
@@ -263,7 +264,7 @@ std::string tableText(const ValueTable& table) {
             if (std::isfinite(point.y()) && point.x() >= static_cast<double>(table.lineages.front().end()))
                 ahead.insert(std::llround(point.x()));
     for (const PlotLevel& level : table.levels) text += ',' + csvCell("bound (" + level.unit.toStdString() + ')');
-    if (table.instant) text += ",leaves the real trajectory";
+    if (table.instant) text += ",leaves the " + table.real + " trajectory";
     if (!ahead.empty()) text += ",ahead";
     text += '\n';
     const bool foresees = !ahead.empty();
@@ -337,6 +338,7 @@ Expected<void> exportValues(const Exports& exports, const QString& path) {
     table.run = shown.run;
     table.keys = exports.plots.keys();
     table.tickLength = shown.frame->scene().tickLength;
+    table.real = realWord(*shown.frame);
     for (const ValueKey& key : table.keys) {
         const PlottedValue value = plottedValue(*shown.frame->scenario, key).value_or(PlottedValue{});
         const QString unit = qtText(value.unit);

@@ -15,7 +15,7 @@ Expected<void> exportPlots(const Exports& exports, const QString& path);
 /// tick, then a column for each curve with its unit, exactly as they were computed. Cells of what is unknown are empty.
 /// Where curves go on ahead of what is simulated, so do the rows, one for each instant at which a number was compared:
 /// "ahead" is 1 there. What the curves are held against, as it is drawn: "bound (UNIT)", and "leaves the real
-/// trajectory", 1 at that instant.
+/// trajectory" (of a synthetic log: "logged"), 1 at that instant.
 Expected<void> exportValues(const Exports& exports, const QString& path);
 
 }  // namespace mrose::gui

@@ -339,11 +339,11 @@ ReportDialog* showComparisonDialog(const Exports& exports) {
     dialog->addNumbers(
         QObject::tr("Bou&nd"),
         {{"position", QObject::tr("as robots differ"), QObject::tr("cm or"),
-          QObject::tr("cm: farther off it has left the real trajectory; empty: what the robots' networks know of "
-                      "real runs")},
+          QObject::tr("cm: farther off it has left the trajectory of the log; empty: what the robots' networks "
+                      "know of how runs differ")},
          {"heading", QObject::tr("as robots differ"), QString::fromUtf8("\u00b0"),
-          QObject::tr("degrees: turned by more it has left the real trajectory; empty: what the robots' networks "
-                      "know of real runs")}});
+          QObject::tr("degrees: turned by more it has left the trajectory of the log; empty: what the robots' "
+                      "networks know of how runs differ")}});
     dialog->addWords("models", QObject::tr("&Models"),
                      QObject::tr("Networks that may explain it, beside those that ship; or nothing"));
     const auto* folder = addFolder(*dialog);

@@ -12,9 +12,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "diagnosis/divergence_text.h"
 #include "io/format.h"
+#include "reality/folding_lines.h"
 #include "widgets/eliding_text.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
@@ -25,9 +27,9 @@ namespace {
 
 constexpr int explainedRole = Qt::UserRole;
 /// So many lines are seen at once.
-constexpr int shownLines = 4;
-constexpr int narrowWords = 420, narrowestWords = 330;  // pixels
-constexpr int barWidth = 30, numberWidth = 44;          // pixels
+constexpr int shownLines = 4, shownLinesWhereLow = 3;
+constexpr int narrowWords = 420, narrowestWords = 330, narrowBound = 470;  // pixels
+constexpr int barWidth = 30, numberWidth = 44;                             // pixels
 
 /// A share as a bar with its number.
 class ShareBar final : public QStyledItemDelegate {
@@ -54,7 +56,7 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-        constexpr int margins = 8, spare = 4;  // pixels
+        constexpr int margins = 8, spare = 2;  // pixels: of a column, of each further line
         QStyleOptionViewItem of = option;
         initStyleOption(&of, index);
         const QSize one = QStyledItemDelegate::sizeHint(option, index);
@@ -63,7 +65,7 @@ public:
         const QRect room(0, 0, view->columnWidth(index.column()) - margins, QWIDGETSIZE_MAX);
         const int height = of.fontMetrics.boundingRect(room, Qt::TextWordWrap, of.text).height();
         const int more = std::max(0, height - of.fontMetrics.height());
-        return {one.width(), one.height() + more + (more > 0 ? spare : 0)};
+        return {one.width(), one.height() + more + spare * (more / std::max(1, of.fontMetrics.lineSpacing()))};
     }
 };
 
@@ -148,17 +150,17 @@ CausePanel::CausePanel(Overlay& overlay, QWidget* parent)
 
 QWidget* CausePanel::makeBound() {
     auto* bound = new QWidget;
-    auto* lines = new QVBoxLayout(bound);
-    lines->setContentsMargins(0, 0, 0, 0);
-    lines->setSpacing(4);
+    boundLines_ = new QBoxLayout(QBoxLayout::TopToBottom, bound);
+    boundLines_->setContentsMargins(0, 0, 0, 0);
+    boundLines_->setSpacing(4);
     auto *layout = new QHBoxLayout, *below = new QHBoxLayout;
-    lines->addLayout(layout);
-    lines->addLayout(below);
+    boundLines_->addLayout(layout);
+    boundLines_->addLayout(below);
     position_ =
         boundBox(" cm", 1000, tr("It has left the trajectory of the log when it is farther off than this for 0.3 s"));
     heading_ = boundBox("\u00b0", 180,
                         tr("It has left the trajectory of the log when it is turned by more than this for 0.3 s"));
-    learned_ = new QCheckBox(tr("as real robots differ"));
+    learned_ = new QCheckBox(tr("as robots differ"));
     learned_->setToolTip(
         tr("What 99 of 100 runs of such a robot keep to, by the noise of its network; of a network that does not "
            "know it, three times what its errors on held-out logs make of the path and rotation so far"));
@@ -196,9 +198,6 @@ void CausePanel::makeCauses() {
     connect(causes_->header(), &QHeaderView::sectionResized, causes_, [this] { causes_->doItemsLayout(); });
     causes_->setItemDelegateForColumn(1, new ShareBar(causes_));
     causes_->setItemDelegateForColumn(0, new WrappedName(causes_));
-    // Always the same: the list of rollouts above keeps its room.
-    const int line = causes_->fontMetrics().height() + 5;
-    causes_->setFixedHeight((shownLines + 1) * line + 6);
     connect(causes_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
         const auto trial = static_cast<std::size_t>(causes_->indexOfTopLevelItem(item));
         const bool again = overlay_.causes().shown() == trial;
@@ -239,9 +238,10 @@ void CausePanel::refresh() {
                           .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
-    // From the first that leaves on, nothing moves from rollout to rollout; before, the list has the room.
+    // From the first that leaves on, nothing moves from rollout to rollout; before, or with little room in all, the
+    // list has the room.
     if (divergence) whyOf_ = overlay_.rollouts().log();
-    why_->setVisible(whyOf_.lock() == overlay_.rollouts().log());
+    why_->setVisible(divergence || (!low_ && whyOf_.lock() == overlay_.rollouts().log()));
     if (!divergence)
         divergence_->setText(!row->position ? QString()
                              : row->bound.source == BoundSource::noise
@@ -255,12 +255,20 @@ void CausePanel::refresh() {
     refreshCauses();
 }
 
-/// Where there is little room words take another line.
+/// Where there is little room across words take another line.
 void CausePanel::fitLines() {
     const auto& log = overlay_.rollouts().log();
+    // Always the same: the list of rollouts above keeps its room.
+    const int line = causes_->fontMetrics().height() + 5;
+    causes_->setFixedHeight(((low_ ? shownLinesWhereLow : shownLines) + 1) * line + 6);
+    layBeside(*boundLines_, width() >= narrowBound);
     rollout_->setLines(width() < narrowWords || (log && log->world().sessions().size() > 1) ? 2 : 1);
     onset_->setLines(width() < narrowestWords ? 5 : width() < narrowWords ? 4 : 3);
     cause_->setLines(width() < narrowWords ? 3 : 2);
+}
+
+void CausePanel::setLow(bool low) {
+    if (std::exchange(low_, low) != low) refresh();
 }
 
 void CausePanel::resizeEvent(QResizeEvent* event) {

@@ -5,6 +5,7 @@
 #include "reality/overlay.h"
 #include "widgets/theme.h"
 
+class QBoxLayout;
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -26,6 +27,7 @@ public:
     explicit CausePanel(Overlay& overlay, QWidget* parent = nullptr);
 
     void refresh();
+    void setLow(bool low);        ///< it takes no more room than what it says of the shown rollout needs
     void offer(QAction& speeds);  ///< shown beside the divergence
     QTreeWidget& causes() const { return *causes_; }
     QString text() const;  ///< what it says, plain
@@ -50,7 +52,8 @@ private:
     QTreeWidget* causes_;
     QWidget* why_;                          ///< it leaves
     std::weak_ptr<const PlayedLog> whyOf_;  ///< the log of which a rollout that leaves has been shown
-    bool filling_ = false;
+    QBoxLayout* boundLines_ = nullptr;
+    bool low_ = false, filling_ = false;
 };
 
 }  // namespace mrose::gui

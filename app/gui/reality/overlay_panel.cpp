@@ -21,6 +21,7 @@
 
 #include "diagnosis/other_models.h"
 #include "io/format.h"
+#include "reality/folding_lines.h"
 #include "widgets/eliding_text.h"
 #include "widgets/fixed_text.h"
 #include "widgets/qt_text.h"
@@ -31,7 +32,8 @@ namespace {
 
 constexpr double longestLog = 1e6;  // s
 constexpr int leastBox = 72;        // pixels
-constexpr int narrow = 400;         // pixels, of the panel: a model's name has room beside all of its figures
+constexpr int narrow = 470;         // pixels, of the panel: a model's name has no room beside all of its figures
+constexpr int lowPart = 740;        // pixels, of what is seen of the panel: the list needs all room that can be had
 
 QString counted(std::size_t count, const QString& one, const QString& several) {
     return QString::number(count) + ' ' + (count == 1 ? one : several);
@@ -155,9 +157,9 @@ QWidget* OverlayPanel::makeHead() {
 
 QWidget* OverlayPanel::makePlan() {
     auto* plan = new QWidget;
-    auto* layout = new QVBoxLayout(plan);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
+    planLines_ = new QBoxLayout(QBoxLayout::TopToBottom, plan);
+    planLines_->setContentsMargins(0, 0, 0, 0);
+    planLines_->setSpacing(4);
     auto* line = new QHBoxLayout;
     cut_->addItem(tr("Restart every"), static_cast<int>(RolloutPlan::Cut::every));
     cut_->addItem(tr("One rollout of"), static_cast<int>(RolloutPlan::Cut::once));
@@ -169,13 +171,13 @@ QWidget* OverlayPanel::makePlan() {
     line->addWidget(cut_);
     line->addWidget(length_);
     line->addStretch(1);
-    layout->addLayout(line);
+    planLines_->addLayout(line);
     auto* where = new QHBoxLayout;
     where->addWidget(startLabel_);
     where->addWidget(start_);
     where->addWidget(restarts_);
     where->addStretch(1);
-    layout->addLayout(where);
+    planLines_->addLayout(where);
     restarts_->setToolTip(tr("At the end of a rollout the next one begins, from where the robots of the log then are"));
     connect(cut_, QOverload<int>::of(&QComboBox::activated), this, &OverlayPanel::applyPlan);
     connect(length_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &OverlayPanel::applyPlan);
@@ -280,7 +282,11 @@ void OverlayPanel::fillModelMenu(QMenu& menu) {
 
 /// What does not fit beside the models' names is left out.
 void OverlayPanel::resizeEvent(QResizeEvent* event) {
-    for (const int column : {3, 4}) models_->setColumnHidden(column, event->size().width() < narrow);
+    const int across = event->size().width(), seen = parentWidget() != nullptr ? parentWidget()->height() : height();
+    for (const int column : {3, 4}) models_->setColumnHidden(column, across < narrow);
+    layBeside(*planLines_, across >= narrow);
+    counts_->setLines(across < narrow ? 2 : 1);
+    causes_->setLow(seen < lowPart);
     QWidget::resizeEvent(event);
 }
 

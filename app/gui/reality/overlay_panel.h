@@ -6,6 +6,7 @@
 #include "reality/overlay.h"
 #include "reality/rollout_table.h"
 
+class QBoxLayout;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
@@ -65,6 +66,7 @@ private:
     QLabel* log_;
     ElidingText *about_, *counts_;
     CausePanel* causes_;
+    QBoxLayout* planLines_ = nullptr;
     QComboBox* cut_;
     QDoubleSpinBox *start_, *length_;
     QLabel* startLabel_;

@@ -127,6 +127,13 @@ QString RolloutList::text(const RolloutRow& row, int column) const {
 
 QString RolloutList::tip(const RolloutRow& row) const {
     QString words = tr("A click opens this rollout");
+    if (row.position) {
+        // Columns for which there is no room are left out.
+        QStringList numbers{tr("%1 cm").arg(figure(row.position, 100))};
+        if (row.share) numbers << tr("%1 % of the path").arg(figure(row.share));
+        if (row.heading) numbers << tr("%1\u00b0").arg(figure(row.heading, degrees));
+        words += tr(": off by %1 on average").arg(numbers.join(", "));
+    }
     if (!row.position) words += tr("; there is no ground truth in it");
     if (row.touched) words += tr("; the simulated robot touches something in it");
     if (row.use == RolloutUse::gap)

@@ -8,7 +8,7 @@ namespace mrose::gui {
 namespace {
 
 constexpr int widestName = 84;         // pixels: tool tips show longer ones
-constexpr int leastRows = 4;           // of the list
+constexpr int leastRows = 6;           // of the list
 constexpr int leastListWidth = 240;    // pixels
 constexpr int beside = 7, arrow = 24;  // pixels beside a title; that it is sorted by has an arrow
 /// What is left out first.

@@ -39,6 +39,12 @@ const std::map<std::string, Ask>& questions() {
          [](const Overlay& o) {
              return o.rollouts().shownRow() ? ScriptValue(toSeconds(o.rollouts().shownRow()->start)) : ScriptValue();
          }},
+        {"session",
+         [](const Overlay& o) {
+             return o.rollouts().shownRow()
+                        ? ScriptValue(o.rollouts().world().sessions()[o.rollouts().shownRow()->session].name)
+                        : ScriptValue();
+         }},
         {"robot",
          [](const Overlay& o) {
              return o.rollouts().shownRow()
