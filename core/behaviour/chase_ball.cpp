@@ -21,7 +21,8 @@ constexpr std::array phaseNames{"searching",
                                 "backing off",
                                 "sweeping out of a corner",
                                 "waiting",
-                                "striking it off the wall"};
+                                "striking it off the wall",
+                                "turning it out of a jam"};
 
 constexpr double wayRound = 0.25;                        // m, between robot and ball on the way behind it
 constexpr double stepRound = 1;                          // rad, how far round the ball it aims at most
@@ -33,6 +34,8 @@ constexpr double searchShare = 0.7;                      // of the rotation rate
 constexpr double turnAway = 0.6;                         // rad, after backing off
 constexpr double straightFor = 3;                        // s, after it got stuck with the ball
 constexpr double sweepFor = 1.5, sweepShare = 0.5;       // s; of the speed
+constexpr double jammedAfter = 0.2, turnOutFor = 0.8;    // s
+constexpr double aloneWithin = 2.5;                      // m, from the ball: nobody else, where it takes a stand
 constexpr double rollsAlong = 0.25;                      // m/s: a ball that it lets roll
 constexpr double sweepReach = 0.06;                      // m, between front and ball
 constexpr double crowd = 0.7;                            // m, from the ball: of robots that are at it
@@ -46,6 +49,10 @@ constexpr double kickWidth = 0.09, kickReach = 0.05;     // m, beside and before
 constexpr double kickAngle = 0.5, kickMiss = 0.85;       // rad; m, beside the target
 
 Point unit(const Point& vector) { return (1 / std::max(1e-9, length(vector))) * vector; }
+
+bool isAnyWithin(double far, const Point& place, std::span<const Point> others) {
+    return std::ranges::any_of(others, [&](const Point& body) { return distance(body, place) < far; });
+}
 
 }  // namespace
 
@@ -108,9 +115,12 @@ Command ChaseBall::chase(const Observation& observation, Memory& memory, WallStr
     const Situation now = situation(memory);
     const bool strikes = stroke != nullptr && stroke->strikes();
     if (!strikes && mustWait(now, others)) return wait(now, memory, others);
-    if (stroke != nullptr)
+    if (strikes || (stroke != nullptr && !isAnyWithin(aloneWithin, now.ball, others))) {
         if (const auto command = strike(now, observation, memory, *stroke)) return *command;
-    if (beginsSweeping(now, observation, memory)) return sweep(memory);
+    } else if (stroke != nullptr) {
+        stroke->stop();
+    }
+    if (beginsSweeping(now, observation, others, memory)) return sweep(memory);
     const bool straight = memory.phase == straightOn && observation.time < memory.phaseEnd;
     memory.aim = clearOf(now.walls, straight ? now.ball : aim(now, memory), options_.halfWidth + roomBeside);
     if (shouldKick(observation, memory)) {
@@ -172,29 +182,36 @@ std::optional<Command> ChaseBall::strike(const Situation& now, const Observation
     return command;
 }
 
-/// In a corner a push leads nowhere; between the horns of a guide the ball comes along when the robot turns.
-bool ChaseBall::beginsSweeping(const Situation& now, const Observation& observation, Memory& memory) const {
+bool ChaseBall::isSweeping(const Memory& memory) { return memory.phase == sweeping || memory.phase == turningOut; }
+
+/// Between the horns of a guide the ball comes along when the robot turns: out of a corner, where a push leads nowhere,
+/// and, if it strikes, from where another robot holds against it.
+bool ChaseBall::beginsSweeping(const Situation& now, const Observation& observation, std::span<const Point> others,
+                               Memory& memory) const {
+    const bool jammed =
+        options_.stroke && memory.backOff.hardlyMoving > jammedAfter && isAnyWithin(contested, now.ball, others);
     const Placement frame(memory.self.pose);
     const Point ball_B = frame.placeBack(memory.ball.position);
-    if (!now.way.cornered || memory.phase == sweeping || ball_B.x < 0 ||
+    if ((!now.way.cornered && !jammed) || isSweeping(memory) || ball_B.x < 0 ||
         length(ball_B) > options_.front + options_.ballRadius + sweepReach)
         return false;
     const Point free = now.way.out + 0.5 * unit(options_.target - now.ball);
     memory.turn = frame.rotateBack(free).y < 0 ? -1 : 1;
-    memory.phase = sweeping;
-    memory.phaseEnd = observation.time + fromSeconds(sweepFor);
+    memory.phase = now.way.cornered ? sweeping : turningOut;
+    memory.phaseEnd = observation.time + fromSeconds(now.way.cornered ? sweepFor : turnOutFor);
     return true;
 }
 
 Command ChaseBall::sweep(const Memory& memory) const {
-    return {sweepShare * options_.speed, memory.turn * options_.rotation};
+    const double share = memory.phase == sweeping ? sweepShare : 1;
+    return {share * options_.speed, memory.turn * options_.rotation};
 }
 
 /// At a wall there is no room for two robots, and no use in pushing the ball into a corner.
 bool ChaseBall::mustWait(const Situation& now, std::span<const Point> others) const {
     if (now.way.cornered && !options_.guide) return true;
     if (!options_.yields || now.way.out == Point{} || distance(position(now.robot), now.ball) < crowd) return false;
-    return std::ranges::any_of(others, [&](const Point& body) { return distance(body, now.ball) < crowd; });
+    return isAnyWithin(crowd, now.ball, others);
 }
 
 /// Some way off, on the side that the target is not on, and looks at the ball.
@@ -265,7 +282,7 @@ Command ChaseBall::play(const Observation& observation, Memory& memory, WallStro
         memory.phaseEnd = observation.time + fromSeconds(straightFor);
         return *back;
     }
-    if (memory.phase == sweeping && observation.time < memory.phaseEnd) return sweep(memory);
+    if (isSweeping(memory) && observation.time < memory.phaseEnd) return sweep(memory);
     if (memory.ball.known == 0) return search(observation, memory);
     if (memory.phase == backingOff && memory.backOff.times % 2 == 1) memory.phase = straightOn;
     return chase(observation, memory, stroke, others, decision);

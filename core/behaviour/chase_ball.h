@@ -19,8 +19,9 @@ namespace mrose {
 struct DriveLimits;
 
 /// Goes behind the ball as seen from a target, then through it towards the target, and kicks where it has something to
-/// kick with. Along walls it pushes the ball as they let it, or strikes it off them (WallStroke); it turns it out of
-/// corners if it has a ball guide, and leaves it to others if not. Remembers and predicts the ball; searches where it
+/// kick with. Along walls it pushes the ball as they let it, or strikes it off them (WallStroke) where nobody else is
+/// near; it turns it out of corners if it has a ball guide, and leaves it to others if not; if it strikes, it turns it
+/// out of jams with other robots, too. Remembers and predicts the ball; searches where it
 /// has lost it; drives round other robots, but for those at the ball; backs off where it does not get on.
 class ChaseBall final : public Controller {
 public:
@@ -35,7 +36,7 @@ public:
         bool guide = false;        ///< it has horns beside its front, between which a ball comes along when it turns
         bool yields = true;        ///< it waits aside while another robot is at a ball at a wall
         double deadTime = 0.3;     ///< s, by which the robot answers late
-        std::optional<WallStroke::Options> stroke = {};  ///< how it gets a ball off a wall; without, it pushes
+        std::optional<WallStroke::Options> stroke = {};  ///< how it gets a ball off a wall; without, it only pushes
         /// Without them it takes no heed of walls.
         std::shared_ptr<const FloorPlan> walls = std::make_shared<const FloorPlan>();
     };
@@ -49,7 +50,8 @@ public:
         backingOff,
         sweeping,
         waiting,
-        striking
+        striking,
+        turningOut
     };
     static const char* name(std::int64_t phase);
 
@@ -109,7 +111,9 @@ private:
     bool mustWait(const Situation& now, std::span<const Point> others) const;
     std::optional<Command> strike(const Situation& now, const Observation& observation, Memory& memory,
                                   WallStroke& stroke) const;
-    bool beginsSweeping(const Situation& now, const Observation& observation, Memory& memory) const;
+    static bool isSweeping(const Memory& memory);
+    bool beginsSweeping(const Situation& now, const Observation& observation, std::span<const Point> others,
+                        Memory& memory) const;
     bool shouldKick(const Observation& observation, const Memory& memory) const;
     void annotate(const Memory& memory, Decision& decision) const;
 

@@ -1,5 +1,8 @@
 #include "behaviour/chase_ball.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "behaviour/headway.h"
@@ -112,6 +115,66 @@ TEST(ChaseBall, FreesABallFromWallsAndCorners) {
             for (std::int64_t i = 0; i < 10; ++i, ++tries)
                 soon += secondsToFree(guide ? guideRobot(cameras()) : disc, knowingTheWalls(guide), ball, i) < 10;
         EXPECT_GE(soon, 3 * tries / 4) << (guide ? "with" : "without") << " a guide, of " << tries;
+    }
+}
+
+std::int64_t phaseOf(const Scenario& scenario, const WorldState& state) {
+    return as<ChaseBall::Memory>(scenario.memoryOf(state, 0)).phase;
+}
+
+/// A robot before a ball, behind which it sees another stand in the way to the target.
+Scenario jam(const ChaseBall::Options& options, std::int64_t which) {
+    Perception perception = cameras();
+    perception.robots.occlusion = false;
+    const Point ball{4.5, draw(92, which, 0, 1, 4)};
+    return SmallWorld(walledField(9, 5))
+        .robot(guideRobot(perception), {ball.x - 0.6, ball.y + draw(92, which, 1, -0.05, 0.05), 0},
+               std::make_shared<const ChaseBall>(options), noisyDrive(), which % 5)
+        .robot(discRobot(0.2, 40), {ball.x + 0.35, ball.y, 0}, std::make_shared<const Told>(Command{}), lateDrive())
+        .object(ballType(), {ball.x, ball.y, 0})
+        .scenario();
+}
+
+/// How far the ball comes in six seconds, in sum; and in how many of the cases the robot turns it out.
+TEST(ChaseBall, TurnsTheBallOutOfAJamIfItStrikes) {
+    ChaseBall::Options strikes = knowingTheWalls(true);
+    strikes.stroke.emplace();
+    double freed[] = {0, 0};
+    int turned[] = {0, 0};
+    for (std::int64_t i = 0; i < 20; ++i)
+        for (const bool striking : {false, true}) {
+            const Scenario scenario = jam(striking ? strikes : knowingTheWalls(true), i);
+            WorldState state = scenario.initialState(static_cast<std::uint64_t>(i));
+            const Point from = position(state.objects[0].pose);
+            StepBuffers buffers;
+            bool turns = false;
+            while (state.tick < 6 * ticksPerSecond) {
+                step(scenario, state, buffers);
+                turns = turns || phaseOf(scenario, state) == ChaseBall::turningOut;
+            }
+            freed[striking] += distance(position(state.objects[0].pose), from);
+            turned[striking] += turns ? 1 : 0;
+        }
+    EXPECT_EQ(turned[false], 0);
+    EXPECT_GE(turned[true], 15);
+    EXPECT_GT(freed[true], 1.5 * freed[false]) << freed[true] << " m and " << freed[false] << " m";
+}
+
+/// Its way to a stand beside a ball at a wall takes longer than an opponent's to the ball.
+TEST(ChaseBall, TakesAStandForAStrokeOnlyWhereNobodyElseIsNear) {
+    ChaseBall::Options options = knowingTheWalls(true);
+    options.stroke.emplace();
+    options.yields = false;
+    for (const double other : {0.0, 1.5, 3.5}) {
+        SmallWorld world(walledField(9, 5));
+        world.robot(guideRobot({}), {3, 2, 0}, std::make_shared<const ChaseBall>(options), lateDrive())
+            .object(ballType(), {4.5, 0.12, 0});
+        if (other > 0)
+            world.robot(discRobot(0.2), {4.5 + other, 0.5, 0}, std::make_shared<const Told>(Command{}), lateDrive());
+        const Scenario scenario = world.scenario();
+        WorldState state = scenario.initialState();
+        run(scenario, state, ticksPerSecond);
+        EXPECT_EQ(phaseOf(scenario, state) == ChaseBall::striking, other != 1.5) << other;
     }
 }
 
