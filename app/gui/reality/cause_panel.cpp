@@ -238,10 +238,9 @@ void CausePanel::refresh() {
                           .arg(robot, start, offText(*row)));
     const auto& divergence = row->divergence;
     goThere_->setVisible(divergence.has_value());
-    // From the first that leaves on, nothing moves from rollout to rollout; before, or with little room in all, the
-    // list has the room.
+    // From the first that leaves on, nothing moves from rollout to rollout; before, the list has the room.
     if (divergence) whyOf_ = overlay_.rollouts().log();
-    why_->setVisible(divergence || (!low_ && whyOf_.lock() == overlay_.rollouts().log()));
+    why_->setVisible(whyOf_.lock() == overlay_.rollouts().log());
     if (!divergence)
         divergence_->setText(!row->position ? QString()
                              : row->bound.source == BoundSource::noise

@@ -27,7 +27,7 @@ public:
     explicit CausePanel(Overlay& overlay, QWidget* parent = nullptr);
 
     void refresh();
-    void setLow(bool low);        ///< it takes no more room than what it says of the shown rollout needs
+    void setLow(bool low);        ///< where there is little room in height, fewer causes are seen at once
     void offer(QAction& speeds);  ///< shown beside the divergence
     QTreeWidget& causes() const { return *causes_; }
     QString text() const;  ///< what it says, plain
