@@ -21,8 +21,8 @@ struct DriveLimits;
 /// Goes behind the ball as seen from a target, then through it towards the target, and kicks where it has something to
 /// kick with. Along walls it pushes the ball as they let it, or strikes it off them (WallStroke) where nobody else is
 /// near; it turns it out of corners if it has a ball guide, and leaves it to others if not; if it strikes, it turns it
-/// out of jams with other robots, too. Remembers and predicts the ball; searches where it
-/// has lost it; drives round other robots, but for those at the ball; backs off where it does not get on.
+/// out of jams with other robots, too. Remembers and predicts the ball; searches where it has lost it; drives round
+/// other robots, but for those at the ball; backs off where it does not get on.
 class ChaseBall final : public Controller {
 public:
     struct Options {

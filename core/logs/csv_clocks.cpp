@@ -9,7 +9,8 @@
 namespace mrose {
 namespace {
 
-constexpr double leastApart = 3600, timesAsLong = 10;  // s
+constexpr double leastApart = 3600;  // s
+constexpr double timesAsLong = 10;   // as the files on either side reach
 
 struct Stretch {
     Nanoseconds first = 0, last = 0;

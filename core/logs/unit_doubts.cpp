@@ -171,12 +171,14 @@ Expected<void> checkMetres(const Log& log) {
             if (!isOften(std::ssize(fast), std::ssize(speeds.spans))) continue;
             std::ranges::sort(fast);
             const double typical = fast[fast.size() / 2];
-            const bool centimetres = typical < 300 * speeds.commanded;
+            // Told in the same unit, it does not show which one.
+            const char* const seem = speeds.commanded > fastest         ? "x, y and v_cmd seem to be in another unit"
+                                     : typical < 300 * speeds.commanded ? "x and y seem to be in centimetres"
+                                                                        : "x and y seem to be in millimetres";
             return fail(log.files.size() == 1 ? log.files.front().path : log.source,
                         "robot " + robot.robot + ", trajectory " + trajectory.name + ": by its poses it drives at " +
                             shortText(typical) + " m/s where it is told at most " + shortText(speeds.commanded) +
-                            " m/s: x and y seem to be in " + (centimetres ? "centimetres" : "millimetres") +
-                            "; expected metres");
+                            " m/s: " + seem + "; expected metres");
         }
     return {};
 }

@@ -27,7 +27,7 @@ std::string numberOf(double value, int decimals, const std::string& minus) {
     return text.starts_with('-') ? minus + text.substr(1) : text;
 }
 
-/// Whether 0 is it, or one of the interval's ends, or within that: as people read them.
+/// As it is written: whether it is 0, an end of its interval is, or 0 lies between these.
 bool mayBeNone(const ValidatedMeasure& measure, const Estimate& gain) {
     const auto isNone = [&](double value) {
         return fixed(shown(measure, value), decimalsOf(measure, gain)).find_first_not_of("0.") == std::string::npos;

@@ -46,8 +46,8 @@ struct ScenarioParts {
     /// they are to be moved. Null: all begin at their starts.
     std::shared_ptr<const SavedState> saved = nullptr;
     std::vector<Pose> kickOffPoses = {};  ///< of the objects, where these are not their starts
-    std::shared_ptr<const DrawnValues> drawn =
-        nullptr;  ///< for the trial of an experiment that it is; null: it is none
+    /// For the trial of an experiment that it is. Null: it is none.
+    std::shared_ptr<const DrawnValues> drawn = nullptr;
 };
 
 /// All that is constant in a run, with what is derived from it once: where in the state each robot's commands and

@@ -62,7 +62,7 @@ Expected<RealResults> readRealResults(std::string_view text, const std::string& 
         text.remove_prefix(std::min(end + 1, text.size()));
         ++line;
         const std::vector<std::string> cells = trimmedCells(one);
-        if (cells.size() == 1 && cells.front().empty()) continue;
+        if (std::ranges::all_of(cells, [](const std::string& cell) { return cell.empty(); })) continue;
         if (header.empty()) {
             header = cells;
             std::vector<std::string> wanted{"trial", "when"};

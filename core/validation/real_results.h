@@ -16,8 +16,8 @@ namespace mrose {
 using RealResults = std::map<std::uint32_t, std::array<std::vector<double>, 2>>;
 
 /// A CSV whose first line names the columns `trial`, `when` (before or after) and the measures; others are passed over,
-/// as are blanks around cells and a byte order mark.
-/// Error: file and line of what is no such row; a column is missing; a trial has not both.
+/// as are blanks around cells, empty rows and a byte order mark. Error: file and line of what is no such row; a column
+/// is missing; a trial has not both.
 Expected<RealResults> readRealResults(std::string_view text, const std::string& file,
                                       const std::vector<std::string>& measures);
 

@@ -42,13 +42,16 @@ bool isSetBy(const Variant& variant, const Experiment& experiment, const std::st
 std::string uselessIn(const Experiment& experiment, const std::string& path) {
     const std::string useless = "has no effect: ";
     if (path == "seed") return useless + "each run has a seed of its own";
+    const std::vector<std::string> places = experiment.scenario.places(path);
+    std::vector<std::string> all;
     for (const Draw& draw : experiment.draws) {
         std::vector<std::string> drawn;
         for (const std::string& own : draw.paths)
             for (std::string& place : experiment.scenario.places(own)) drawn.push_back(std::move(place));
-        if (areWithin(experiment.scenario.places(path), drawn))
-            return useless + "draw \"" + draw.name + "\" sets it in each trial";
+        if (areWithin(places, drawn)) return useless + "draw \"" + draw.name + "\" sets it in each trial";
+        all.insert(all.end(), drawn.begin(), drawn.end());
     }
+    if (areWithin(places, all)) return useless + "draws set each of its elements in each trial";
     const std::vector<Variant>& variants = experiment.variants;
     if (std::ranges::all_of(variants, [&](const Variant& one) { return isSetBy(one, experiment, path); }))
         return useless + (variants.size() > 1 ? "each variant sets it" : "its variant sets it");

@@ -33,7 +33,7 @@ Error soughtHere(Error error, const ScenarioOverrides& overrides);
 /// Error: one of them is of something that every run of the experiment has another value of.
 Expected<void> checkOverrides(const Experiment& experiment, const ScenarioOverrides& overrides);
 
-/// Whether a variant leaves something of a settings file, or of an assignment, as that says. The draws do.
+/// Whether a variant leaves something of a settings file, or of an assignment, as that says; draws are not looked at.
 bool hasEffect(const Settings& settings, const Experiment& experiment, const Variant& variant);
 bool hasEffect(const std::string& assignment, const Experiment& experiment, const Variant& variant);
 /// Error: one of them has no effect in the variant. A sentence for each place of a settings file that has none.

@@ -1,7 +1,6 @@
 #include "behaviour/chase_ball.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 

@@ -78,7 +78,9 @@ TEST(UnitDoubts, PositionsThatCannotBeMetresAreRefusedWithTheUnitTheyLookLike) {
               "m/s: x and y seem to be in millimetres; expected metres");
     EXPECT_THAT(refusal(told(100, 0.3)), HasSubstr("at 30 m/s where it is told at most 0.3 m/s: x and y seem to be in "
                                                    "centimetres"));
-    EXPECT_THAT(refusal(told(1000, 300)), HasSubstr("at 300 m/s")) << "with commands alike: no robot is as fast";
+    EXPECT_THAT(refusal(told(1000, 300)), HasSubstr("at 300 m/s where it is told at most 300 m/s: x, y and v_cmd seem "
+                                                    "to be in another unit; expected metres"))
+        << "no robot is as fast";
     Log folder = told(1000, 0.3);
     folder.files = {{"logs/drive.csv", ""}};
     EXPECT_TRUE(refusal(folder).starts_with("logs/drive.csv: "));

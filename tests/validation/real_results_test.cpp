@@ -25,8 +25,8 @@ TEST(RealResults, AreReadByTheNamesOfTheirColumns) {
 /// As spreadsheets and people write them.
 TEST(RealResults, BlanksAndAByteOrderMarkArePassedOver) {
     const auto read = readRealResults(
-        "\xEF\xBB\xBFtrial, when ,\"time_s \",won\t\r\n 7 , before, 4.5 ,1\r\n  \r\n7,\"after \", ,\t0\r\n", "r.csv",
-        measures);
+        "\xEF\xBB\xBFtrial, when ,\"time_s \",won\t\r\n 7 , before, 4.5 ,1\r\n  \r\n7,\"after \", ,\t0\r\n,, ,\r\n",
+        "r.csv", measures);
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->at(7)[0], (std::vector<double>{4.5, 1}));
     EXPECT_TRUE(std::isnan(read->at(7)[1][0])) << "not known";

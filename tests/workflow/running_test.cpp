@@ -365,6 +365,11 @@ name = "x"
 path = "robot[1].start.x_m"
 from = -1.0
 to = -0.5
+[[draw]]
+name = "other"
+path = "robot[2].start.x_m"
+from = 1.0
+to = 1.5
 [[variant]]
 name = "light"
 set = { "robot[1].type.mass_kg" = 5.0, "robot[1].start.y_m" = 0.3 }
@@ -386,6 +391,8 @@ name = "as it is"
     };
     expectError(opened("as it is", drawn), drawn,
                 {"drawn.toml:5:24: robot[1].start.x_m: has no effect: draw \"x\" sets it in each trial"});
+    expectError(opened("as it is", "", "robot[*].start.x_m=0"), "",
+                {"--set robot[*].start.x_m: has no effect: draws set each of its elements in each trial"});
     expectError(opened("light", heavy), heavy, {"has no effect: variant \"light\" sets all that it does"});
     expectError(opened("light", "", "robot[1].type.mass_kg=7"), "",
                 {"--set robot[1].type.mass_kg: has no effect: variant \"light\" sets it"});

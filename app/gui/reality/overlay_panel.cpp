@@ -280,7 +280,7 @@ void OverlayPanel::fillModelMenu(QMenu& menu) {
     menu.addAction(tr("From a file\u2026"), this, [this] { emit modelFileWanted(); });
 }
 
-/// What does not fit beside the models' names is left out.
+/// What does not fit beside the models' names is left out; lines fold where there is little room across.
 void OverlayPanel::resizeEvent(QResizeEvent* event) {
     const int across = event->size().width(), seen = parentWidget() != nullptr ? parentWidget()->height() : height();
     for (const int column : {3, 4}) models_->setColumnHidden(column, across < narrow);
