@@ -18,7 +18,7 @@ int decimalsOf(const ValidatedMeasure& measure, const Estimate& of) {
     const double width = 0.5 * (of.high - of.low);
     const bool known = std::isfinite(width) && width > 0;
     const double size = known ? width : std::abs(of.value);
-    if (size == 0) return 2;
+    if (size == 0 || !std::isfinite(size)) return 2;
     return std::clamp((known ? 1 : 2) - static_cast<int>(std::floor(std::log10(size))), 0, 4);
 }
 
