@@ -22,7 +22,7 @@ constexpr std::array phaseNames{"searching",
                                 "sweeping out of a corner",
                                 "waiting",
                                 "striking it off the wall",
-                                "turning it out of a jam"};
+                                "sweeping out of a jam"};
 
 constexpr double wayRound = 0.25;                        // m, between robot and ball on the way behind it
 constexpr double stepRound = 1;                          // rad, how far round the ball it aims at most
@@ -33,8 +33,8 @@ constexpr double roomBehind = 0.05, roomBeside = 0.02;   // m, behind the ball a
 constexpr double searchShare = 0.7;                      // of the rotation rate
 constexpr double turnAway = 0.6;                         // rad, after backing off
 constexpr double straightFor = 3;                        // s, after it got stuck with the ball
-constexpr double sweepFor = 1.5, sweepShare = 0.5;       // s; of the speed
-constexpr double jammedAfter = 0.2, turnOutFor = 0.8;    // s
+constexpr double sweepFor = 1.5, sweepShare = 0.5;       // s; of the speed: in a corner
+constexpr double jammedAfter = 0.2, jamSweepFor = 0.8;   // s, at full speed
 constexpr double aloneWithin = 2.5;                      // m, from the ball: nobody else, where it takes a stand
 constexpr double rollsAlong = 0.25;                      // m/s: a ball that it lets roll
 constexpr double sweepReach = 0.06;                      // m, between front and ball
@@ -182,7 +182,7 @@ std::optional<Command> ChaseBall::strike(const Situation& now, const Observation
     return command;
 }
 
-bool ChaseBall::isSweeping(const Memory& memory) { return memory.phase == sweeping || memory.phase == turningOut; }
+bool ChaseBall::isSweeping(const Memory& memory) { return memory.phase == sweeping || memory.phase == sweepingJam; }
 
 /// Between the horns of a guide the ball comes along when the robot turns: out of a corner, where a push leads nowhere,
 /// and, if it strikes, from where another robot holds against it.
@@ -197,8 +197,8 @@ bool ChaseBall::beginsSweeping(const Situation& now, const Observation& observat
         return false;
     const Point free = now.way.out + 0.5 * unit(options_.target - now.ball);
     memory.turn = frame.rotateBack(free).y < 0 ? -1 : 1;
-    memory.phase = now.way.cornered ? sweeping : turningOut;
-    memory.phaseEnd = observation.time + fromSeconds(now.way.cornered ? sweepFor : turnOutFor);
+    memory.phase = now.way.cornered ? sweeping : sweepingJam;
+    memory.phaseEnd = observation.time + fromSeconds(now.way.cornered ? sweepFor : jamSweepFor);
     return true;
 }
 

@@ -51,7 +51,7 @@ public:
         sweeping,
         waiting,
         striking,
-        turningOut
+        sweepingJam
     };
     static const char* name(std::int64_t phase);
 

@@ -135,7 +135,7 @@ Scenario jam(const ChaseBall::Options& options, std::int64_t which) {
 }
 
 /// How far the ball comes in six seconds, in sum; and in how many of the cases the robot turns it out.
-TEST(ChaseBall, TurnsTheBallOutOfAJamIfItStrikes) {
+TEST(ChaseBall, SweepsTheBallOutOfAJamIfItStrikes) {
     ChaseBall::Options strikes = knowingTheWalls(true);
     strikes.stroke.emplace();
     double freed[] = {0, 0};
@@ -149,7 +149,7 @@ TEST(ChaseBall, TurnsTheBallOutOfAJamIfItStrikes) {
             bool turns = false;
             while (state.tick < 6 * ticksPerSecond) {
                 step(scenario, state, buffers);
-                turns = turns || phaseOf(scenario, state) == ChaseBall::turningOut;
+                turns = turns || phaseOf(scenario, state) == ChaseBall::sweepingJam;
             }
             freed[striking] += distance(position(state.objects[0].pose), from);
             turned[striking] += turns ? 1 : 0;

@@ -1,6 +1,8 @@
 // Scenarios: opened, run, recorded, replayed, tried many times.
 #include <atomic>
+#include <map>
 #include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 
@@ -31,6 +33,14 @@ protected:
         const auto run = runScenario(request);
         EXPECT_TRUE(run) << run.error().message();
         return run ? hashOf(run->result.state).world : 0;
+    }
+    /// What repeats a row of an experiment's results.
+    static RunRequest requestOf(const std::map<std::string, std::string>& row, const std::string& experiment) {
+        RunRequest request{{experiment}};
+        request.scenario.trial = static_cast<std::uint32_t>(std::stoul(row.at("trial")));
+        request.scenario.variant = row.at("variant_name");
+        request.seed = std::stoull(row.at("seed"));
+        return request;
     }
 };
 
@@ -254,10 +264,7 @@ fastest = { most = 'robot[1].speed' }
         const auto rows = csvRows(read(std::filesystem::path(folder).filename().string() + "/results.csv"));
         ASSERT_EQ(rows.size(), 8u);
         for (const auto& row : rows) {
-            RunRequest one{{file}};
-            one.scenario.trial = static_cast<std::uint32_t>(std::stoul(row.at("trial")));
-            one.scenario.variant = row.at("variant_name");
-            one.seed = std::stoull(row.at("seed"));
+            const RunRequest one = requestOf(row, file);
             const auto run = runScenario(one);
             ASSERT_TRUE(run) << run.error().message();
             ASSERT_EQ(run->measured.size(), 4u);
@@ -301,10 +308,7 @@ x = 'robot[1].x'
     ASSERT_TRUE(done) << done.error().message();
     std::set<std::string> kinds;
     for (const auto& row : csvRows(read("out/results.csv"))) {
-        RunRequest one{{file}};
-        one.scenario.trial = static_cast<std::uint32_t>(std::stoul(row.at("trial")));
-        one.scenario.variant = row.at("variant_name");
-        one.seed = std::stoull(row.at("seed"));
+        const RunRequest one = requestOf(row, file);
         const auto run = runScenario(one);
         kinds.insert(row.at("draw.how") + ' ' + row.at("end"));
         if (row.at("end") == "fault") {
